@@ -1,0 +1,2 @@
+//! Polhode: a verification and benchmark harness for rigid-body time-stepping schemes.
+pub mod record;

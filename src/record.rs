@@ -1,0 +1,377 @@
+//! What a campaign measured, as rows that are written to and read from disk.
+//!
+//! This module depends on nothing else of Polhode: whoever holds a `records.json` needs only these types to
+//! read it. Every number carries its unit and its uncertainty. A value that does not exist is `None`
+//! (`null` on disk), never a NaN.
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+/// The schema that [`Records`] follows.
+pub const SCHEMA: &str = "polhode/records/1";
+
+/// Everything that one campaign measured and judged.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Records {
+    /// [`SCHEMA`].
+    pub schema: String,
+    /// Version of Polhode that wrote the records.
+    pub polhode: String,
+    /// Where the costs were measured.
+    pub machine: Machine,
+    /// Time of writing, RFC 3339, UTC.
+    pub made_at: String,
+    /// False where the campaign was interrupted: the rows present are whole, others are missing.
+    #[serde(default)]
+    pub complete: bool,
+    /// The scenes, in the order of the campaign.
+    #[serde(default)]
+    pub scenes: Vec<SceneRow>,
+    /// The schemes, in the order of the campaign.
+    #[serde(default)]
+    pub schemes: Vec<SchemeRow>,
+    /// One row a scene, scheme, step and metric.
+    pub measurements: Vec<Measurement>,
+    /// One row a scene, scheme and quantity: the fitted order of convergence.
+    pub orders: Vec<Order>,
+    /// One row a scene, scheme and conserved quantity: how it drifts.
+    #[serde(default)]
+    pub drifts: Vec<Drift>,
+    /// One row a claim that was judged.
+    pub verdicts: Vec<Verdict>,
+    /// Quantities against time, for drawing.
+    #[serde(default)]
+    pub series: Vec<Series>,
+}
+
+/// The machine that the costs belong to.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Machine {
+    /// Operating system.
+    pub os: String,
+    /// Instruction set.
+    pub architecture: String,
+    /// Processor as it names itself, or empty.
+    pub processor: String,
+    /// Threads that may run at once.
+    pub threads: usize,
+}
+
+/// A scene as the report prints it.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct SceneRow {
+    /// Name, kebab-case.
+    pub name: String,
+    /// One line.
+    pub title: String,
+    /// Why the scene is in the list.
+    pub why: String,
+    /// Duration of a run [s].
+    pub duration_s: f64,
+    /// The least model that determines the motion: free, falling, torque, pivot or forced.
+    pub model: String,
+    /// Mass points of the body; 0 where no positive masses stand for its inertia.
+    pub points: usize,
+    /// The force laws, in the order of the file.
+    pub laws: Vec<String>,
+    /// Why the order gate does not apply, if it does not.
+    pub not_for_order: Option<String>,
+    /// The sources of the reference solution.
+    pub references: Vec<ReferenceRow>,
+    /// Largest relative difference of a state between the least model and the mass points as written,
+    /// after 1,000 steps; `None` where the body has no points.
+    pub reduction_difference: Option<f64>,
+    /// Cost of a step on the mass points over its cost on the least model.
+    pub reduction_speedup: Option<f64>,
+}
+
+/// One source of a reference solution.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct ReferenceRow {
+    /// `stored`, `dop853`, `tsit45` or the name of a closed form.
+    pub source: String,
+    /// How it was made: method and tolerance, or file, digits and checksum.
+    pub detail: String,
+    /// What it is used for: `end`, `run` (the maximum over the run) or `check`.
+    pub role: String,
+    /// Largest disagreement with the other sources, as an orientation angle [rad]; `None` where there is none
+    /// to compare with.
+    pub disagreement_rad: Option<f64>,
+}
+
+/// A scheme's card as the report prints it.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct SchemeRow {
+    /// Name as on the command line.
+    pub name: String,
+    /// One line.
+    pub title: String,
+    /// Family of schemes.
+    pub family: String,
+    /// Claimed order of convergence.
+    pub order: u32,
+    /// Force evaluations a step.
+    pub evaluations: u32,
+    /// The claims, each in words.
+    pub claims: Vec<String>,
+    /// Keys in references/bibliography.bib.
+    pub source: String,
+}
+
+/// One number of one run.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Measurement {
+    /// Scene.
+    pub scene: String,
+    /// Scheme.
+    pub scheme: String,
+    /// Model that was run.
+    pub model: String,
+    /// Time step [s].
+    pub step_s: f64,
+    /// Steps taken.
+    pub steps: u64,
+    /// Metric, for example `orientation-end`.
+    pub metric: String,
+    /// Value in `unit`; `None` where the run broke or the metric does not apply.
+    pub value: Option<f64>,
+    /// Unit of `value` and `uncertainty`; `1` for pure numbers.
+    pub unit: String,
+    /// The larger of the reference's uncertainty and the measured rounding floor.
+    pub uncertainty: Option<f64>,
+    /// `ok`, `broken` or `not-applicable`.
+    pub status: String,
+    /// Reason, where `status` is not `ok`.
+    pub why: Option<String>,
+    /// Evaluations of the forces in the whole run.
+    pub force_evaluations: u64,
+    /// Wall-clock cost of a step; differs from run to run.
+    pub nanoseconds_per_step: Option<f64>,
+}
+
+/// The fitted order of convergence of one quantity.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Order {
+    /// Scene.
+    pub scene: String,
+    /// Scheme.
+    pub scheme: String,
+    /// Quantity with the place it is taken at: `orientation-end`, `position-max`, …
+    pub quantity: String,
+    /// Least-squares slope of log error against log step; `None` where no window was found.
+    pub order: Option<f64>,
+    /// Lower end of its 95 % confidence interval.
+    pub low: Option<f64>,
+    /// Upper end of its 95 % confidence interval.
+    pub high: Option<f64>,
+    /// Leading error constant C = e/hᵖ with the claimed order p, in `unit`/sᵖ.
+    pub constant: Option<f64>,
+    /// Rungs of the ladder inside the fitted window.
+    pub rungs_used: usize,
+    /// Rungs left out: near the floor, before the asymptotic range, or broken.
+    pub rungs_dropped: usize,
+    /// The steps inside the fitted window [s].
+    #[serde(default)]
+    pub steps_used_s: Vec<f64>,
+    /// Errors below this are rounding or reference error, in `unit`.
+    #[serde(default)]
+    pub floor: Option<f64>,
+    /// Unit of the error.
+    #[serde(default)]
+    pub unit: String,
+    /// `fitted`, `exact`, `unsettled`, `too-few` or `broken`.
+    #[serde(default)]
+    pub status: String,
+    /// Reason, where `status` is not `fitted`.
+    #[serde(default)]
+    pub why: Option<String>,
+}
+
+/// How a conserved quantity drifts.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Drift {
+    /// Scene.
+    pub scene: String,
+    /// Scheme.
+    pub scheme: String,
+    /// Quantity: `rotational-energy`, `angular-momentum-magnitude`, …
+    pub quantity: String,
+    /// `exact`, `bounded`, `secular`, `growing` or `undecided`.
+    pub class: String,
+    /// For a secular drift: order in the step of its rate.
+    pub rate_order: Option<f64>,
+    /// Lower end of the 95 % confidence interval of `rate_order`.
+    pub low: Option<f64>,
+    /// Upper end of the 95 % confidence interval of `rate_order`.
+    pub high: Option<f64>,
+    /// Rate at the finest step that still shows one, in `unit`/s.
+    pub rate: Option<f64>,
+    /// The step that `rate` belongs to [s].
+    pub step_s: Option<f64>,
+    /// Largest deviation over the run at that step, in `unit`.
+    pub level: Option<f64>,
+    /// Unit of the quantity; `1` for relative changes.
+    pub unit: String,
+}
+
+/// Whether a claim holds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Ruling {
+    /// The claim holds.
+    Pass,
+    /// The claim does not hold.
+    Fail,
+    /// The measurement cannot decide.
+    #[default]
+    Inconclusive,
+    /// The claim says nothing about this scene.
+    NotApplicable,
+    /// The run or its reference failed.
+    Broken,
+}
+
+impl Ruling {
+    /// The word that stands in records and tables.
+    pub fn word(self) -> &'static str {
+        match self {
+            Ruling::Pass => "pass",
+            Ruling::Fail => "fail",
+            Ruling::Inconclusive => "inconclusive",
+            Ruling::NotApplicable => "not-applicable",
+            Ruling::Broken => "broken",
+        }
+    }
+}
+
+/// One claim, judged.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Verdict {
+    /// Scene.
+    pub scene: String,
+    /// Scheme.
+    pub scheme: String,
+    /// Claim, for example `order`.
+    pub claim: String,
+    /// Quantity that the claim is about.
+    pub quantity: String,
+    /// The ruling.
+    pub verdict: Ruling,
+    /// What was measured.
+    pub measured: Option<f64>,
+    /// Lower end of its uncertainty.
+    pub low: Option<f64>,
+    /// Upper end of its uncertainty.
+    pub high: Option<f64>,
+    /// The reason in words, with bound and unit.
+    pub detail: String,
+    /// Reason why this failure is known and does not fail the gate, if it is.
+    #[serde(default)]
+    pub known_deviation: Option<String>,
+}
+
+/// A quantity against time.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Series {
+    /// Scene.
+    pub scene: String,
+    /// Scheme.
+    pub scheme: String,
+    /// Time step [s].
+    pub step_s: f64,
+    /// Quantity: `rotational-energy`, `total-energy`, `angular-momentum` (relative change of its magnitude), …
+    pub quantity: String,
+    /// Unit of `value`; `1` for relative changes.
+    pub unit: String,
+    /// Times [s].
+    pub time_s: Vec<f64>,
+    /// Values at those times.
+    pub value: Vec<f64>,
+}
+
+/// Reading or writing records failed.
+#[derive(Debug, thiserror::Error)]
+pub enum RecordError {
+    /// A file could not be read or written.
+    #[error("{}: {source}", path.display())]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        source: std::io::Error,
+    },
+    /// A file is not a records file.
+    #[error("{}: not a records file: {why}", path.display())]
+    Format {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        why: String,
+    },
+}
+
+impl Records {
+    /// Reads `records.json`.
+    ///
+    /// # Errors
+    /// The file cannot be read, is not JSON of this shape, or follows another schema.
+    pub fn read(path: &Path) -> Result<Records, RecordError> {
+        let text = fs::read_to_string(path).map_err(|source| RecordError::File { path: path.into(), source })?;
+        let format = |why| RecordError::Format { path: path.into(), why };
+        let records: Records = serde_json::from_str(&text).map_err(|error| format(error.to_string()))?;
+        if records.schema != SCHEMA {
+            return Err(format(format!("schema is \"{}\", expected \"{SCHEMA}\"", records.schema)));
+        }
+        Ok(records)
+    }
+
+    /// The records as JSON text.
+    pub fn to_json(&self) -> String {
+        let mut text = serde_json::to_string_pretty(self).expect("records hold only strings, numbers and lists");
+        text.push('\n');
+        text
+    }
+
+    /// The measurements as tidy CSV: a header, then one row each.
+    pub fn to_csv(&self) -> String {
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        for row in &self.measurements {
+            writer.serialize(row).expect("a measurement is a flat row");
+        }
+        let bytes = writer.into_inner().expect("a vector takes every byte");
+        String::from_utf8(bytes).expect("CSV of UTF-8 fields is UTF-8")
+    }
+}
+
+/// Writes a file so that its final name never stands for half of it: a temporary neighbour, then a rename.
+///
+/// # Errors
+/// The folder cannot be made, the disk is full, or the name cannot be taken. The temporary file is removed.
+pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), RecordError> {
+    let fail = |source| RecordError::File { path: path.into(), source };
+    let folder = match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    fs::create_dir_all(folder).map_err(fail)?;
+    let mut file = tempfile::Builder::new().prefix(".polhode-").tempfile_in(folder).map_err(fail)?;
+    file.write_all(bytes).and_then(|()| file.as_file().sync_all()).map_err(fail)?;
+    open_to_readers(&file).map_err(fail)?;
+    file.persist(path).map_err(|error| fail(error.error))?;
+    Ok(())
+}
+
+/// Temporary files are private to their owner; a report is for everybody that the user's umask allows.
+#[cfg(unix)]
+fn open_to_readers(file: &tempfile::NamedTempFile) -> std::io::Result<()> {
+    use std::os::unix::fs::PermissionsExt;
+    file.as_file().set_permissions(fs::Permissions::from_mode(0o644))
+}
+
+#[cfg(not(unix))]
+fn open_to_readers(_file: &tempfile::NamedTempFile) -> std::io::Result<()> {
+    Ok(())
+}
