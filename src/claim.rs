@@ -1,0 +1,92 @@
+//! What a scheme may promise. Every promise is a [`Claim`], and every claim owns a gate: `gates` matches on
+//! this enumeration exhaustively, so a claim without a gate does not compile.
+
+use std::fmt;
+
+pub use crate::model::Quantity;
+
+/// Scenes that a promise of exactness is made for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum When {
+    /// No force and no torque: U_cm is constant and X_cm moves straight.
+    NoForce,
+    /// The force on the centre of mass is constant.
+    ConstantForce,
+    /// No torque about the centre of mass, and no pivot.
+    NoTorque,
+    /// No torque, and Ω constant: a sphere, a rod, a spin about a principal axis.
+    SteadySpin,
+}
+
+impl When {
+    fn words(self) -> &'static str {
+        match self {
+            When::NoForce => "without force",
+            When::ConstantForce => "under a constant force",
+            When::NoTorque => "without torque",
+            When::SteadySpin => "in a steady spin (sphere, rod, principal axis)",
+        }
+    }
+}
+
+/// How the rotational energy of a free body changes over a long run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EnergyOfFreeBody {
+    /// Grows at a rate of this order in the step, towards L²/(2 I_min) and never past it.
+    GrowsSecularly {
+        /// Order in h of dE/dt.
+        rate_order: u32,
+    },
+}
+
+/// A promise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Claim {
+    /// Error of every quantity is C hᵖ for small h, at the end and as the maximum over the run, with the C that
+    /// is on record.
+    Order(u32),
+    /// A quantity is exact but for rounding.
+    Exact(Quantity, When),
+    /// Energy of a free body.
+    Energy(EnergyOfFreeBody),
+    /// L·g of a body turning about a pivot under uniform gravity is constant: every torque is across g.
+    VerticalMomentum,
+    /// Flips of a tumbling body come at their exact times as h → 0.
+    FlipTimes,
+    /// Distances between points of the body change by rounding only.
+    Rigid,
+    /// This many evaluations of the forces a step, exactly.
+    Evaluations(u32),
+}
+
+impl Claim {
+    /// Name of the claim in verdicts.
+    pub fn name(self) -> &'static str {
+        match self {
+            Claim::Order(_) => "order",
+            Claim::Exact(..) => "exact",
+            Claim::Energy(_) => "energy",
+            Claim::VerticalMomentum => "vertical-momentum",
+            Claim::FlipTimes => "flip-times",
+            Claim::Rigid => "rigid",
+            Claim::Evaluations(_) => "evaluations",
+        }
+    }
+}
+
+impl fmt::Display for Claim {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Claim::Order(order) => write!(f, "order {order} in every quantity, constants as recorded"),
+            Claim::Exact(quantity, when) => write!(f, "{} exact {}", quantity.name(), when.words()),
+            Claim::Energy(EnergyOfFreeBody::GrowsSecularly { rate_order }) => {
+                let power = if *rate_order == 1 { "h".to_owned() } else { format!("h^{rate_order}") };
+                write!(f, "energy of a free body grows at a rate ∝ {power}, never past L²/(2 I_min)")
+            }
+            Claim::VerticalMomentum => write!(f, "L·g of a top on a pivot exact"),
+            Claim::FlipTimes => write!(f, "flips of a tumbling body at their exact times as h → 0"),
+            Claim::Rigid => write!(f, "rigid to rounding"),
+            Claim::Evaluations(count) => write!(f, "{count} force evaluations a step"),
+        }
+    }
+}

@@ -1,0 +1,424 @@
+//! The rigid body: mass points, or a mass and an inertia.
+//!
+//! Everything here is in body axes and relative to the **origin**: the centre of mass of a body that moves
+//! freely, the pivot of a body that is fixed there. With P = Σ M x xᵀ the inertia is I = tr(P) E − P.
+//!
+//! A body given by its inertia is stood for by the fewest mass points that have it: one more than the rank of
+//! P, so four for a solid, three for a plate, two for a rod, one for a point.
+
+use nalgebra::{Matrix3, SymmetricEigen, Vector3};
+
+use crate::rotation::{self, Rotation};
+
+/// Above this ratio of moments, I Ω = L no longer determines the spin about the smallest one in f64.
+pub const LARGEST_CONDITION: f64 = 1e12;
+
+/// One mass point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MassPoint {
+    /// Mass [kg], positive.
+    pub mass: f64,
+    /// Position [m], body axes, relative to the origin.
+    pub position: Vector3<f64>,
+}
+
+/// What rotation means for a body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shape {
+    /// All mass in the origin: no rotation.
+    Point,
+    /// All mass on a line through the origin: no rotation about it.
+    Rod {
+        /// Unit vector along the line, body axes.
+        direction: Vector3<f64>,
+    },
+    /// Three moments above zero: plates and solids.
+    Extended,
+}
+
+/// A rigid body about its origin.
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// Total mass [kg].
+    pub mass: f64,
+    /// Mass points; empty where no positive masses have the inertia.
+    pub points: Vec<MassPoint>,
+    /// Centre of mass [m], body axes, relative to the origin: zero unless there is a pivot.
+    pub center: Vector3<f64>,
+    /// Inertia about the origin [kg m²], body axes.
+    pub inertia: Matrix3<f64>,
+    /// Principal moments about the origin [kg m²], in the order of the principal axes.
+    pub moments: Vector3<f64>,
+    /// Takes principal axes to body axes; the identity where the body axes are principal.
+    pub principal: Rotation,
+    /// What rotation means for it.
+    pub shape: Shape,
+    /// Whether a point of it is fixed in the world.
+    pub pivoted: bool,
+}
+
+/// A body that cannot be.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum BodyError {
+    /// No mass points.
+    #[error("a body needs at least one mass point")]
+    Empty,
+    /// A mass that is not positive.
+    #[error("mass {mass} of point {index} is not a positive number")]
+    Mass {
+        /// Index of the point.
+        index: usize,
+        /// Its mass [kg].
+        mass: f64,
+    },
+    /// An inertia that is not symmetric.
+    #[error("inertia is not symmetric: entry ({row}, {column}) differs from its mirror by {difference:e}")]
+    Asymmetric {
+        /// Row, from 0.
+        row: usize,
+        /// Column, from 0.
+        column: usize,
+        /// Difference [kg m²].
+        difference: f64,
+    },
+    /// A moment of inertia below zero.
+    #[error("principal moment {moment} is negative")]
+    NegativeMoment {
+        /// The moment [kg m²].
+        moment: f64,
+    },
+    /// Moments that break the triangle inequality.
+    #[error(
+        "no positive masses have the principal moments {smallest}, {middle}, {largest}: the largest must not \
+         exceed the sum of the others; set unphysical_inertia = true to admit them"
+    )]
+    Triangle {
+        /// Smallest moment [kg m²].
+        smallest: f64,
+        /// Middle moment [kg m²].
+        middle: f64,
+        /// Largest moment [kg m²].
+        largest: f64,
+    },
+    /// Moments too far apart, but not those of a rod.
+    #[error(
+        "the principal moments {smallest:e} and {largest:e} differ by more than 1e12: too thin for f64, too thick for a rod"
+    )]
+    Condition {
+        /// Smallest moment [kg m²].
+        smallest: f64,
+        /// Largest moment [kg m²].
+        largest: f64,
+    },
+    /// Numbers whose products leave the range of f64.
+    #[error("mass and size give an inertia outside the range of f64")]
+    Range,
+}
+
+impl Body {
+    /// A body of mass points, given in any frame. Returns it with the centre of mass in that frame [m].
+    ///
+    /// `pivot` is a point fixed in the world, in the same frame.
+    ///
+    /// # Errors
+    /// [`BodyError`].
+    pub fn from_points(
+        given: &[MassPoint],
+        pivot: Option<Vector3<f64>>,
+    ) -> Result<(Body, Vector3<f64>), BodyError> {
+        if given.is_empty() {
+            return Err(BodyError::Empty);
+        }
+        for (index, point) in given.iter().enumerate() {
+            if !(point.mass > 0.0 && point.mass.is_finite()) {
+                return Err(BodyError::Mass { index, mass: point.mass });
+            }
+        }
+        let mass: f64 = given.iter().map(|p| p.mass).sum();
+        let center_given = given.iter().map(|p| p.position * (p.mass / mass)).sum::<Vector3<f64>>();
+        let origin = pivot.unwrap_or(center_given);
+        let rounding = 16.0 * f64::EPSILON * given.iter().map(|p| p.position.amax()).fold(0.0, f64::max);
+        let points: Vec<_> =
+            given.iter().map(|p| MassPoint { mass: p.mass, position: p.position - origin }).collect();
+        let extent = points.iter().map(|p| p.position.amax()).fold(0.0, f64::max);
+        let shape = if extent <= rounding { Shape::Point } else { shape_of_points(&points, rounding) };
+        let center = if pivot.is_some() { center_given - origin } else { Vector3::zeros() };
+        let body = Body::assemble(mass, inertia_of(&points), center, shape, pivot.is_some(), points)?;
+        Ok((body, center_given))
+    }
+
+    /// A body of a mass [kg] and an inertia about the centre of mass [kg m²], body axes.
+    ///
+    /// `pivot` is a point fixed in the world, body axes, relative to the centre of mass. `unphysical` admits
+    /// moments that no positive masses have; such a body has no mass points.
+    ///
+    /// # Errors
+    /// [`BodyError`].
+    pub fn from_inertia(
+        mass: f64,
+        inertia: Matrix3<f64>,
+        pivot: Option<Vector3<f64>>,
+        unphysical: bool,
+    ) -> Result<Body, BodyError> {
+        if !(mass > 0.0 && mass.is_finite()) {
+            return Err(BodyError::Mass { index: 0, mass });
+        }
+        let (moments, axes) = principal_axes(&symmetric(&inertia)?);
+        check_moments(&moments, unphysical)?;
+        let origin = pivot.unwrap_or_else(Vector3::zeros);
+        let points = fewest_points(mass, &moments, &axes, &origin);
+        let about_origin = inertia + second_moment_inertia(&origin) * mass;
+        let shape = shape_of_moments(&about_origin)?;
+        Body::assemble(mass, about_origin, -origin, shape, pivot.is_some(), points)
+    }
+
+    fn assemble(
+        mass: f64,
+        inertia: Matrix3<f64>,
+        center: Vector3<f64>,
+        shape: Shape,
+        pivoted: bool,
+        points: Vec<MassPoint>,
+    ) -> Result<Body, BodyError> {
+        let out_of_range = |x: f64| !x.is_finite() || (x != 0.0 && x.abs() < f64::MIN_POSITIVE);
+        if !mass.is_finite() || inertia.iter().any(|x| out_of_range(*x)) {
+            return Err(BodyError::Range);
+        }
+        let (mut moments, principal) = principal_axes(&inertia);
+        match shape {
+            Shape::Point => moments = Vector3::zeros(),
+            Shape::Rod { .. } => {
+                let along = moments.iamin();
+                moments[along] = 0.0;
+            }
+            Shape::Extended if moments.max() > LARGEST_CONDITION * moments.min() => {
+                return Err(BodyError::Condition { smallest: moments.min(), largest: moments.max() });
+            }
+            Shape::Extended => {}
+        }
+        Ok(Body { mass, points, center, inertia, moments, principal, shape, pivoted })
+    }
+
+    /// 1/moment for each principal axis [1/(kg m²)], 0 where the body cannot spin about it.
+    pub fn inverse_moments(&self) -> Vector3<f64> {
+        self.moments.map(|moment| if moment == 0.0 { 0.0 } else { 1.0 / moment })
+    }
+
+    /// I⁻¹ about the origin [1/(kg m²)], body axes; its pseudo-inverse for a rod or a point.
+    pub fn inverse_inertia(&self) -> Matrix3<f64> {
+        let axes = self.principal.to_rotation_matrix().into_inner();
+        axes * Matrix3::from_diagonal(&self.inverse_moments()) * axes.transpose()
+    }
+
+    /// Length scale of the body [m]: the farthest mass point from the origin, or the largest radius of gyration.
+    pub fn extent(&self) -> f64 {
+        let farthest = self.points.iter().map(|p| rotation::length(&p.position)).fold(0.0, f64::max);
+        if farthest > 0.0 { farthest } else { (self.moments.amax() / self.mass).sqrt() }
+    }
+}
+
+/// Inertia of mass points about the origin, Σ M (|x|² E − x xᵀ) [kg m²].
+pub fn inertia_of(points: &[MassPoint]) -> Matrix3<f64> {
+    points.iter().map(|p| second_moment_inertia(&p.position) * p.mass).sum()
+}
+
+/// |x|² E − x xᵀ [m²].
+pub fn second_moment_inertia(x: &Vector3<f64>) -> Matrix3<f64> {
+    Matrix3::from_diagonal_element(x.norm_squared()) - x * x.transpose()
+}
+
+/// A rod where no point is off the line through the origin and the farthest point by more than rounding, or
+/// by so little that the moments differ by more than [`LARGEST_CONDITION`].
+fn shape_of_points(points: &[MassPoint], rounding: f64) -> Shape {
+    let farthest = points
+        .iter()
+        .map(|p| p.position)
+        .fold(Vector3::zeros(), |a, b| if b.norm() > a.norm() { b } else { a });
+    let size = rotation::length(&farthest);
+    let direction = farthest / size;
+    let off_line = points.iter().map(|p| rotation::length(&p.position.cross(&direction))).fold(0.0, f64::max);
+    if off_line <= rounding.max(size / LARGEST_CONDITION.sqrt()) {
+        Shape::Rod { direction }
+    } else {
+        Shape::Extended
+    }
+}
+
+fn shape_of_moments(inertia: &Matrix3<f64>) -> Result<Shape, BodyError> {
+    let (moments, axes) = principal_axes(inertia);
+    let (smallest, largest) = (moments.min(), moments.max());
+    if largest == 0.0 {
+        return Ok(Shape::Point);
+    }
+    if smallest <= 64.0 * f64::EPSILON * largest {
+        return Ok(Shape::Rod { direction: axes * Vector3::ith(moments.iamin(), 1.0) });
+    }
+    if largest > LARGEST_CONDITION * smallest {
+        return Err(BodyError::Condition { smallest, largest });
+    }
+    Ok(Shape::Extended)
+}
+
+fn symmetric(inertia: &Matrix3<f64>) -> Result<Matrix3<f64>, BodyError> {
+    let scale = inertia.amax();
+    for (row, column) in [(0, 1), (0, 2), (1, 2)] {
+        let difference = inertia[(row, column)] - inertia[(column, row)];
+        if difference.abs() > 1e-12 * scale {
+            return Err(BodyError::Asymmetric { row, column, difference });
+        }
+    }
+    Ok((inertia + inertia.transpose()) * 0.5)
+}
+
+/// Principal moments and the rotation that takes principal axes to the axes of `inertia`.
+///
+/// A diagonal inertia keeps its own axes, so that bodies given by principal moments stay exact.
+fn principal_axes(inertia: &Matrix3<f64>) -> (Vector3<f64>, Rotation) {
+    let scale = inertia.amax();
+    let off_diagonal = inertia[(0, 1)].abs().max(inertia[(0, 2)].abs()).max(inertia[(1, 2)].abs());
+    if scale == 0.0 || !scale.is_finite() || off_diagonal == 0.0 {
+        return (inertia.diagonal(), Rotation::identity());
+    }
+    let eigen = SymmetricEigen::new(inertia / scale);
+    let mut axes = eigen.eigenvectors;
+    if axes.determinant() < 0.0 {
+        axes.column_mut(2).neg_mut();
+    }
+    (eigen.eigenvalues * scale, rotation::from_matrix(&axes))
+}
+
+fn check_moments(moments: &Vector3<f64>, unphysical: bool) -> Result<(), BodyError> {
+    let mut sorted = [moments[0], moments[1], moments[2]];
+    sorted.sort_by(f64::total_cmp);
+    let [smallest, middle, largest] = sorted;
+    // Rounding of an eigenvalue is a few u of the largest one.
+    let rounding = 16.0 * f64::EPSILON * largest.abs();
+    if smallest < -rounding {
+        return Err(BodyError::NegativeMoment { moment: smallest });
+    }
+    if !unphysical && largest > smallest + middle + rounding {
+        return Err(BodyError::Triangle { smallest, middle, largest });
+    }
+    Ok(())
+}
+
+/// The fewest mass points with this mass and these principal moments, relative to `origin`; none where the
+/// moments are unphysical.
+///
+/// With a_i² = (I_j + I_k − I_i)/(2M) the second moments of the mass are M a_i². A solid takes the vertices
+/// (±a₁, ±a₂, ±a₃) of a tetrahedron, a plate an equilateral triangle stretched to √2 a, a rod ±a.
+fn fewest_points(
+    mass: f64,
+    moments: &Vector3<f64>,
+    axes: &Rotation,
+    origin: &Vector3<f64>,
+) -> Vec<MassPoint> {
+    let second = Vector3::repeat(moments.sum() / 2.0) - moments;
+    let rounding = 64.0 * f64::EPSILON * moments.amax();
+    if second.min() < -rounding {
+        return Vec::new();
+    }
+    let a = second.map(|p| if p <= rounding { 0.0 } else { (p / mass).sqrt() });
+    let kept: Vec<usize> = (0..3).filter(|i| a[*i] > 0.0).collect();
+    let vertices: Vec<Vector3<f64>> = match kept[..] {
+        [] => vec![Vector3::zeros()],
+        [i] => [1.0, -1.0].map(|s| Vector3::ith(i, s * a[i])).to_vec(),
+        [i, j] => {
+            let (cosine, sine) = (0.5f64.sqrt(), 1.5f64.sqrt());
+            [(2f64.sqrt(), 0.0), (-cosine, sine), (-cosine, -sine)]
+                .map(|(x, y)| Vector3::ith(i, x * a[i]) + Vector3::ith(j, y * a[j]))
+                .to_vec()
+        }
+        _ => [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]]
+            .map(|signs| Vector3::from(signs).component_mul(&a))
+            .to_vec(),
+    };
+    let share = mass / vertices.len() as f64;
+    vertices.iter().map(|v| MassPoint { mass: share, position: axes * v - origin }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn point(mass: f64, x: f64, y: f64, z: f64) -> MassPoint {
+        MassPoint { mass, position: Vector3::new(x, y, z) }
+    }
+
+    #[test]
+    fn the_fewest_points_have_the_mass_center_and_inertia() {
+        let turned = rotation::turn(&Vector3::new(0.3, -0.8, 1.7)).to_rotation_matrix().into_inner();
+        for (moments, count) in [
+            ([1.0, 2.0, 2.5], 4),
+            ([1.0, 1.0, 1.0], 4),
+            ([1.0, 2.0, 3.0], 3),
+            ([0.0, 2.0, 2.0], 2),
+            ([0.0, 0.0, 0.0], 1),
+        ] {
+            let inertia = turned * Matrix3::from_diagonal(&Vector3::from(moments)) * turned.transpose();
+            let body = Body::from_inertia(1.75, inertia, None, false).expect("a body");
+            assert_eq!(body.points.len(), count, "{moments:?}");
+            assert!((inertia_of(&body.points) - inertia).amax() < 4e-15, "{moments:?}");
+            let center: Vector3<f64> = body.points.iter().map(|p| p.position * p.mass).sum();
+            assert!(center.amax() < 1e-15);
+            assert!((body.points.iter().map(|p| p.mass).sum::<f64>() - 1.75).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn a_pivot_moves_the_inertia_by_the_parallel_axis_theorem() {
+        let pivot = Vector3::new(0.5, -1.0, 2.0);
+        let given = [point(1.0, 1.0, 0.0, 0.0), point(2.0, 0.0, 1.0, 0.5), point(1.5, -1.0, 0.25, 1.0)];
+        let (body, center) = Body::from_points(&given, Some(pivot)).expect("a body");
+        let (free, _) = Body::from_points(&given, None).expect("a body");
+        let moved = free.inertia + second_moment_inertia(&(center - pivot)) * free.mass;
+        assert!((body.inertia - moved).amax() < 1e-14);
+        assert!((body.center - (center - pivot)).amax() < 1e-15);
+    }
+
+    #[test]
+    fn rods_plates_and_points_are_told_apart() {
+        let rod = [point(1.0, -0.5, -1.0, 1.0), point(1.0, 0.25, 0.5, -0.5), point(2.0, 0.125, 0.25, -0.25)];
+        let (body, _) = Body::from_points(&rod, None).expect("a rod");
+        assert!(matches!(body.shape, Shape::Rod { .. }));
+        assert_eq!(body.moments.min(), 0.0);
+        let far: Vec<_> = rod
+            .iter()
+            .map(|p| point(p.mass, p.position.x * 0.1 + 1e6, p.position.y * 0.1, p.position.z * 0.1))
+            .collect();
+        assert!(matches!(Body::from_points(&far, None).expect("a rod").0.shape, Shape::Rod { .. }));
+        let (single, _) = Body::from_points(&[point(3.0, 1.0, 2.0, 3.0)], None).expect("a point");
+        assert_eq!(single.shape, Shape::Point);
+        let plate = [point(1.0, 1.0, 0.0, 0.0), point(1.0, -1.0, 0.5, 0.0), point(1.0, 0.0, -1.0, 0.0)];
+        assert_eq!(Body::from_points(&plate, None).expect("a plate").0.shape, Shape::Extended);
+    }
+
+    #[test]
+    fn masses_of_1e150_keep_their_inverse() {
+        let given = [point(1e150, 1.0, 0.0, 0.0), point(1e150, 0.0, 1.0, 0.0), point(2e150, 0.0, 0.0, 1.0)];
+        let (body, _) = Body::from_points(&given, None).expect("a body");
+        let identity = body.inertia * body.inverse_inertia();
+        assert!((identity - Matrix3::identity()).amax() < 1e-14);
+    }
+
+    #[test]
+    fn impossible_bodies_are_refused_with_their_numbers() {
+        let diagonal = |a, b, c| Matrix3::from_diagonal(&Vector3::new(a, b, c));
+        assert!(matches!(
+            Body::from_inertia(1.0, diagonal(0.5, 2.0, 3.0), None, false),
+            Err(BodyError::Triangle { .. })
+        ));
+        let textbook = Body::from_inertia(1.0, diagonal(0.5, 2.0, 3.0), None, true).expect("admitted");
+        assert!(textbook.points.is_empty());
+        assert!(matches!(
+            Body::from_inertia(1.0, diagonal(-1.0, 2.0, 3.0), None, true),
+            Err(BodyError::NegativeMoment { .. })
+        ));
+        assert!(matches!(
+            Body::from_inertia(f64::NAN, diagonal(1.0, 1.0, 1.0), None, false),
+            Err(BodyError::Mass { .. })
+        ));
+        let lopsided = Matrix3::new(1.0, 0.1, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0);
+        assert!(matches!(Body::from_inertia(1.0, lopsided, None, false), Err(BodyError::Asymmetric { .. })));
+    }
+}

@@ -1,0 +1,351 @@
+//! Force laws, each in two forms that must agree: as the note sums them, point by point, and reduced to what a
+//! rigid body needs of them.
+//!
+//! Point form: F = Σ F_k and τ = Σ X̃_k × F_k over every mass point, U_k = U + Ω × X̃_k. It runs under
+//! `--model points` and in the references. Reduced form: sums over the points are taken once, in principal
+//! axes, before the run; only laws that are not polynomial in X̃_k still visit their points.
+
+mod central_gravity;
+mod dipole;
+mod drag;
+mod gravity;
+mod gravity_gradient;
+mod ground;
+mod lorentz;
+mod spring;
+mod torque;
+
+pub use central_gravity::CentralGravity;
+pub use dipole::Dipole;
+pub use drag::Drag;
+pub use gravity::Gravity;
+pub use gravity_gradient::GravityGradient;
+pub use ground::Ground;
+pub use lorentz::Lorentz;
+pub use spring::{Attachment, Spring};
+pub use torque::{Torque, TorqueAxes};
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::body::Body;
+
+/// One value for every mass point, or one each: charges, drag coefficients.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PerPoint {
+    /// The same for all.
+    Same(f64),
+    /// In the order of the points.
+    Each(Vec<f64>),
+}
+
+impl PerPoint {
+    /// The value of point `index`.
+    pub fn of(&self, index: usize) -> f64 {
+        match self {
+            PerPoint::Same(value) => *value,
+            PerPoint::Each(values) => values[index],
+        }
+    }
+}
+
+/// A force law as a scene states it.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Law {
+    /// F_k = M_k g.
+    Gravity(Gravity),
+    /// A spring with damper from a point of the body to an anchor.
+    Spring(Spring),
+    /// F_k = −c_k U_k.
+    Drag(Drag),
+    /// F_k = −μ M_k d/|d|³.
+    CentralGravity(CentralGravity),
+    /// F_k = q_k (E(t) + U_k × B).
+    Lorentz(Lorentz),
+    /// A torque that depends on time alone.
+    Torque(Torque),
+    /// τ = m × B.
+    Dipole(Dipole),
+    /// τ = 3 μ/r³ (r̂ × I r̂).
+    GravityGradient(GravityGradient),
+    /// A one-sided elastic plane with friction.
+    Ground(Ground),
+}
+
+impl Law {
+    /// Names of all laws, with the formula of each.
+    pub const NAMES: [(&'static str, &'static str); 9] = [
+        ("gravity", "F_k = M_k g"),
+        ("spring", "F = -k (|d| - rest) d/|d| - c U,  d = X_k - anchor"),
+        ("drag", "F_k = -c_k U_k"),
+        ("central-gravity", "F_k = -mu M_k d/|d|^3,  d = X_k - center"),
+        ("lorentz", "F_k = q_k (E(t) + U_k x B)"),
+        ("torque", "tau = constant + cosine cos(wt) + sine sin(wt), world or body axes"),
+        ("dipole", "tau = m x B"),
+        ("gravity-gradient", "tau = 3 mu/r^3 (r x I r), r a unit vector turning at a rate"),
+        ("ground", "F_k = (k d - c U_k.n)+ n and friction -mu N s/sqrt(s.s + v0^2), d = height - X_k.n > 0"),
+    ];
+
+    /// Name of the law as in a scene file.
+    pub fn name(&self) -> &'static str {
+        let index = match self {
+            Law::Gravity(_) => 0,
+            Law::Spring(_) => 1,
+            Law::Drag(_) => 2,
+            Law::CentralGravity(_) => 3,
+            Law::Lorentz(_) => 4,
+            Law::Torque(_) => 5,
+            Law::Dipole(_) => 6,
+            Law::GravityGradient(_) => 7,
+            Law::Ground(_) => 8,
+        };
+        Law::NAMES[index].0
+    }
+
+    /// Whether the law is a torque without a force.
+    pub fn is_torque(&self) -> bool {
+        matches!(self, Law::Torque(_) | Law::Dipole(_) | Law::GravityGradient(_))
+    }
+
+    /// Whether the law acts on every mass point in a way that needs the points themselves.
+    pub fn needs_points(&self) -> bool {
+        matches!(self, Law::Drag(_) | Law::CentralGravity(_) | Law::Lorentz(_) | Law::Ground(_))
+    }
+
+    /// Whether the point form needs the direction of the body axes.
+    pub fn needs_axes(&self) -> bool {
+        matches!(self, Law::Torque(Torque { axes: TorqueAxes::Body, .. }) | Law::Dipole(_))
+    }
+}
+
+/// Force and torque about the origin.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Load {
+    /// F [N], world.
+    pub force: Vector3<f64>,
+    /// τ about the origin [N m], world.
+    pub torque: Vector3<f64>,
+}
+
+impl Load {
+    /// Adds a force that acts at `arm` from the origin [m], world.
+    pub fn push(&mut self, arm: &Vector3<f64>, force: &Vector3<f64>) {
+        self.force += force;
+        self.torque += arm.cross(force);
+    }
+}
+
+/// Where a body is and how it moves.
+#[derive(Clone, Copy, Debug)]
+pub struct Pose {
+    /// Takes principal axes to world axes.
+    pub axes: Matrix3<f64>,
+    /// Position of the origin [m], world.
+    pub origin: Vector3<f64>,
+    /// Velocity of the origin [m/s], world.
+    pub velocity: Vector3<f64>,
+    /// Ω [rad/s], world.
+    pub spin: Vector3<f64>,
+}
+
+impl Pose {
+    /// Velocity of the body point at `arm` from the origin, U + Ω × arm [m/s].
+    pub fn velocity_at(&self, arm: &Vector3<f64>) -> Vector3<f64> {
+        self.velocity + self.spin.cross(arm)
+    }
+}
+
+/// Mass points and massless markers of a body in motion, and what their laws need besides.
+pub struct Cloud<'a> {
+    /// X̃ of every mass point, then of every marker [m], world.
+    pub arms: &'a [Vector3<f64>],
+    /// Masses of the mass points [kg].
+    pub masses: &'a [f64],
+    /// Position of the origin [m], world.
+    pub origin: Vector3<f64>,
+    /// Velocity of the origin [m/s], world.
+    pub velocity: Vector3<f64>,
+    /// Ω [rad/s], world.
+    pub spin: Vector3<f64>,
+    /// Total mass [kg].
+    pub mass: f64,
+    /// Inertia about the origin [kg m²], world.
+    pub inertia: Matrix3<f64>,
+    /// Centre of mass from the origin [m], world.
+    pub center: Vector3<f64>,
+    /// Takes body axes to world axes; read by the laws of [`Law::needs_axes`] alone.
+    pub axes: Matrix3<f64>,
+}
+
+impl Cloud<'_> {
+    fn velocity_at(&self, arm: &Vector3<f64>) -> Vector3<f64> {
+        self.velocity + self.spin.cross(arm)
+    }
+}
+
+/// The laws of a scene, bound to its body.
+#[derive(Clone, Debug, Default)]
+pub struct Forces {
+    laws: Vec<Law>,
+    reduced: Vec<Reduced>,
+    markers: Vec<Vector3<f64>>,
+}
+
+/// A law with its sums over the points taken, in principal axes.
+#[derive(Clone, Debug)]
+enum Reduced {
+    Gravity(gravity::Reduced),
+    Spring(spring::Reduced),
+    Drag(drag::Reduced),
+    CentralGravity(central_gravity::Reduced),
+    Lorentz(lorentz::Reduced),
+    Torque(torque::Reduced),
+    Dipole(dipole::Reduced),
+    GravityGradient(gravity_gradient::Reduced),
+    Ground(ground::Reduced),
+}
+
+impl Forces {
+    /// Binds laws to a body. The caller has checked that indices and lists fit the body's points.
+    pub fn new(laws: Vec<Law>, body: &Body) -> Forces {
+        let reduced = laws.iter().map(|law| reduce(law, body)).collect();
+        let markers = laws.iter().filter_map(Law::marker).collect();
+        Forces { laws, reduced, markers }
+    }
+
+    /// The laws as stated.
+    pub fn laws(&self) -> &[Law] {
+        &self.laws
+    }
+
+    /// Massless points that carry a force [m], body axes, relative to the origin, in the order of their springs.
+    pub fn markers(&self) -> &[Vector3<f64>] {
+        &self.markers
+    }
+
+    /// Force and torque in the reduced form.
+    pub fn load(&self, t: f64, pose: &Pose) -> Load {
+        let mut load = Load::default();
+        for law in &self.reduced {
+            match law {
+                Reduced::Gravity(law) => law.add(pose, &mut load),
+                Reduced::Spring(law) => law.add(pose, &mut load),
+                Reduced::Drag(law) => law.add(pose, &mut load),
+                Reduced::CentralGravity(law) => law.add(pose, &mut load),
+                Reduced::Lorentz(law) => law.add(t, pose, &mut load),
+                Reduced::Torque(law) => law.add(t, pose, &mut load),
+                Reduced::Dipole(law) => law.add(pose, &mut load),
+                Reduced::GravityGradient(law) => law.add(t, pose, &mut load),
+                Reduced::Ground(law) => law.add(pose, &mut load),
+            }
+        }
+        load
+    }
+
+    /// Force and torque summed over the points, as the note writes them.
+    pub fn load_on_points(&self, t: f64, cloud: &Cloud) -> Load {
+        let mut load = Load::default();
+        let mut marker = cloud.masses.len();
+        for law in &self.laws {
+            match law {
+                Law::Gravity(law) => law.add_on_points(cloud, &mut load),
+                Law::Spring(law) => {
+                    let arm = cloud.arms[law.arm_index(&mut marker)];
+                    load.push(&arm, &law.force(&(cloud.origin + arm), &cloud.velocity_at(&arm)));
+                }
+                Law::Drag(law) => each_point(cloud, &mut load, |k, _, u| law.force(k, u)),
+                Law::CentralGravity(law) => {
+                    each_point(cloud, &mut load, |k, x, _| law.force(cloud.masses[k], x));
+                }
+                Law::Lorentz(law) => each_point(cloud, &mut load, |k, _, u| law.force(t, k, u)),
+                Law::Ground(law) => each_point(cloud, &mut load, |_, x, u| law.force(x, u)),
+                Law::Torque(law) => load.torque += law.torque(t, &cloud.axes),
+                Law::Dipole(law) => load.torque += law.torque(&cloud.axes),
+                Law::GravityGradient(law) => load.torque += law.torque(t, &cloud.inertia),
+            }
+        }
+        load
+    }
+
+    /// Potential energy [J]; `None` where a law has no potential.
+    pub fn potential(&self, cloud: &Cloud) -> Option<f64> {
+        let mut marker = cloud.masses.len();
+        let mut total = 0.0;
+        for law in &self.laws {
+            total += match law {
+                Law::Gravity(law) => law.potential(cloud),
+                Law::Spring(law) => law.potential(&(cloud.origin + cloud.arms[law.arm_index(&mut marker)])),
+                Law::CentralGravity(law) => sum_points(cloud, |k, x| law.potential(cloud.masses[k], x)),
+                Law::Lorentz(law) if law.is_static() => sum_points(cloud, |k, x| law.potential(k, x)),
+                Law::Dipole(law) => law.potential(&cloud.axes),
+                Law::GravityGradient(law) if law.rate == 0.0 => law.potential(&cloud.inertia),
+                Law::Ground(law) => sum_points(cloud, |_, x| law.potential(x)),
+                Law::Drag(_) | Law::Torque(_) | Law::Lorentz(_) | Law::GravityGradient(_) => return None,
+            };
+        }
+        Some(total)
+    }
+
+    /// Whether every law conserves the total energy.
+    pub fn conservative(&self) -> bool {
+        self.laws.iter().all(|law| match law {
+            Law::Gravity(_) | Law::CentralGravity(_) | Law::Dipole(_) => true,
+            Law::Spring(spring) => spring.damping == 0.0,
+            Law::Lorentz(lorentz) => lorentz.is_static(),
+            Law::GravityGradient(gradient) => gradient.rate == 0.0,
+            Law::Ground(ground) => ground.damping == 0.0 && ground.friction == 0.0,
+            Law::Drag(_) | Law::Torque(_) => false,
+        })
+    }
+}
+
+impl Law {
+    fn marker(&self) -> Option<Vector3<f64>> {
+        match self {
+            Law::Spring(Spring { attachment: Attachment::At(position), .. }) => Some(*position),
+            _ => None,
+        }
+    }
+}
+
+fn reduce(law: &Law, body: &Body) -> Reduced {
+    match law {
+        Law::Gravity(law) => Reduced::Gravity(law.reduce(body)),
+        Law::Spring(law) => Reduced::Spring(law.reduce(body)),
+        Law::Drag(law) => Reduced::Drag(law.reduce(body)),
+        Law::CentralGravity(law) => Reduced::CentralGravity(law.reduce(body)),
+        Law::Lorentz(law) => Reduced::Lorentz(law.reduce(body)),
+        Law::Torque(law) => Reduced::Torque(law.reduce(body)),
+        Law::Dipole(law) => Reduced::Dipole(law.reduce(body)),
+        Law::GravityGradient(law) => Reduced::GravityGradient(law.reduce(body)),
+        Law::Ground(law) => Reduced::Ground(law.reduce(body)),
+    }
+}
+
+fn each_point(
+    cloud: &Cloud,
+    load: &mut Load,
+    force: impl Fn(usize, &Vector3<f64>, &Vector3<f64>) -> Vector3<f64>,
+) {
+    for (k, arm) in cloud.arms[..cloud.masses.len()].iter().enumerate() {
+        load.push(arm, &force(k, &(cloud.origin + arm), &cloud.velocity_at(arm)));
+    }
+}
+
+fn sum_points(cloud: &Cloud, potential: impl Fn(usize, &Vector3<f64>) -> f64) -> f64 {
+    cloud.arms[..cloud.masses.len()]
+        .iter()
+        .enumerate()
+        .map(|(k, arm)| potential(k, &(cloud.origin + arm)))
+        .sum()
+}
+
+/// A vector in body axes, taken to principal axes.
+fn to_principal(body: &Body, vector: &Vector3<f64>) -> Vector3<f64> {
+    body.principal.inverse() * vector
+}
+
+/// A symmetric tensor in body axes, taken to principal axes.
+fn tensor_to_principal(body: &Body, tensor: &Matrix3<f64>) -> Matrix3<f64> {
+    let axes = body.principal.to_rotation_matrix().into_inner();
+    axes.transpose() * tensor * axes
+}

@@ -1,0 +1,82 @@
+//! A spring and damper from a point of the body to an anchor in the world.
+
+use nalgebra::Vector3;
+
+use super::{Load, Pose, to_principal};
+use crate::model::body::Body;
+use crate::rotation;
+
+/// Where on the body a spring holds.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Attachment {
+    /// At a mass point.
+    Point(usize),
+    /// At a place that need not carry mass [m], body axes, relative to the origin.
+    At(Vector3<f64>),
+}
+
+/// F = −k (|d| − rest) d/|d| − c U with d = X − anchor; the damper takes the whole velocity U of the point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spring {
+    /// Where it holds.
+    pub attachment: Attachment,
+    /// Anchor [m], world.
+    pub anchor: Vector3<f64>,
+    /// k [N/m].
+    pub stiffness: f64,
+    /// c [N s/m].
+    pub damping: f64,
+    /// Length at which the spring is slack [m].
+    pub rest_length: f64,
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct Reduced {
+    arm: Vector3<f64>,
+    spring: Spring,
+}
+
+impl Spring {
+    pub(super) fn reduce(&self, body: &Body) -> Reduced {
+        let arm = match &self.attachment {
+            Attachment::Point(index) => body.points[*index].position,
+            Attachment::At(position) => *position,
+        };
+        Reduced { arm: to_principal(body, &arm), spring: self.clone() }
+    }
+
+    /// Index of its arm in a cloud; counts the markers that come before it.
+    pub(super) fn arm_index(&self, next_marker: &mut usize) -> usize {
+        match self.attachment {
+            Attachment::Point(index) => index,
+            Attachment::At(_) => {
+                *next_marker += 1;
+                *next_marker - 1
+            }
+        }
+    }
+
+    /// Force [N] on the point at `position` [m] with `velocity` [m/s], world. A spring pulled to length zero
+    /// has no direction and, unless its rest length is zero too, gives no elastic force there.
+    pub fn force(&self, position: &Vector3<f64>, velocity: &Vector3<f64>) -> Vector3<f64> {
+        let d = position - self.anchor;
+        if self.rest_length == 0.0 {
+            return d * -self.stiffness - velocity * self.damping;
+        }
+        let distance = rotation::length(&d);
+        let stretch = if distance == 0.0 { 0.0 } else { 1.0 - self.rest_length / distance };
+        d * (-self.stiffness * stretch) - velocity * self.damping
+    }
+
+    pub(super) fn potential(&self, position: &Vector3<f64>) -> f64 {
+        let stretch = rotation::length(&(position - self.anchor)) - self.rest_length;
+        0.5 * self.stiffness * stretch * stretch
+    }
+}
+
+impl Reduced {
+    pub(super) fn add(&self, pose: &Pose, load: &mut Load) {
+        let arm = pose.axes * self.arm;
+        load.push(&arm, &self.spring.force(&(pose.origin + arm), &pose.velocity_at(&arm)));
+    }
+}

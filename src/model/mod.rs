@@ -1,0 +1,96 @@
+//! What moves, and under what: bodies, forces, and the models that keep no more than a scene needs.
+//!
+//! A **model** knows a body under forces and offers two verbs; schemes are written in them alone:
+//! `rates` asks where Ω, U_cm, F/M and τ come from at a state, `advance` holds such rates for a time.
+//!
+//! | model | a scene with | keeps | Peskin's steps that remain |
+//! |---|---|---|---|
+//! | [`Free`] | neither force nor torque | orientation | (1) (5) |
+//! | [`Falling`] | uniform gravity only | translation; rotation as if free | (1)–(3) (5)–(7) |
+//! | [`Rotor`] | a pivot, or torques only | orientation and L | (1) (4) (5) (8) |
+//! | [`Forced`] | forces on points | everything | all |
+//! | [`PointCloud`] | `--model points` | every mass point | all, O(K) |
+
+pub mod body;
+mod falling;
+mod forced;
+pub mod forces;
+mod free;
+mod placed;
+mod point_cloud;
+mod rotor;
+mod snapshot;
+mod system;
+
+use std::ops::{Add, Mul};
+
+use nalgebra::Vector3;
+
+pub use falling::Falling;
+pub use forced::Forced;
+pub use free::Free;
+pub use placed::Placed;
+pub use point_cloud::PointCloud;
+pub use rotor::Rotor;
+pub use snapshot::{Quantity, Snapshot, difference};
+pub use system::{AnyModel, Spin, Start, System, SystemError};
+
+/// A run that cannot go on.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Broken {
+    /// A state holds NaN or infinity.
+    #[error("the state is no longer finite")]
+    NotFinite,
+    /// The angular momentum of a rod has a part along it, which no spin carries.
+    #[error(
+        "the angular momentum of a rod has a part of {along:e} kg m²/s along the rod, |L| = {length:e}: no spin carries it"
+    )]
+    AlongRod {
+        /// Part along the rod [kg m²/s].
+        along: f64,
+        /// |L| [kg m²/s].
+        length: f64,
+    },
+    /// I Ω = L has no solution.
+    #[error("the inertia summed over the points is singular: I Ω = L has no solution")]
+    Singular,
+}
+
+/// How the parts of a state change: a vector space, so that stages combine.
+pub trait Rates: Copy + Add<Output = Self> + Mul<f64, Output = Self> {}
+
+impl<T: Copy + Add<Output = T> + Mul<f64, Output = T>> Rates for T {}
+
+/// A body under forces, as a scheme sees it.
+pub trait Model {
+    /// What the model keeps of the motion.
+    type State: Clone;
+    /// Ω, and as far as the model keeps them U_cm, F/M and τ.
+    type Rates: Rates;
+
+    /// The state at t = 0.
+    fn start(&self) -> Self::State;
+
+    /// Rates at a state: I Ω = L solved for Ω, forces and torques summed.
+    ///
+    /// # Errors
+    /// Ω does not exist.
+    fn rates(&self, t: f64, state: &Self::State) -> Result<Self::Rates, Broken>;
+
+    /// Holds `rates` for a time `s` [s] from `from`: X̃ turned by the exact R(Ω, s), X_cm + s U, U_cm + s F/M,
+    /// L + s τ. Writes into `into`, a buffer made once a run.
+    fn advance(&self, from: &Self::State, s: f64, rates: &Self::Rates, into: &mut Self::State);
+
+    /// Whether every number of a state is finite.
+    fn is_finite(&self, state: &Self::State) -> bool;
+
+    /// A state as every model shows it.
+    ///
+    /// # Errors
+    /// Ω does not exist.
+    fn observe(&self, t: f64, state: &Self::State) -> Result<Snapshot, Broken>;
+}
+
+fn finite(vectors: &[&Vector3<f64>]) -> bool {
+    vectors.iter().all(|v| v.iter().all(|x| x.is_finite()))
+}

@@ -1,0 +1,65 @@
+//! The points of a body put into the world at an orientation, for laws in their point form.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::forces::Cloud;
+use super::system::System;
+use crate::rotation::Rotation;
+
+/// Mass points and markers of a body in world axes. Made once, turned often.
+#[derive(Clone, Debug)]
+pub struct Placed {
+    arms: Vec<Vector3<f64>>,
+    masses: Vec<f64>,
+    mass: f64,
+    axes: Matrix3<f64>,
+    inertia: Matrix3<f64>,
+    center: Vector3<f64>,
+}
+
+impl Placed {
+    /// The points of the system's body in body axes, with room for its markers.
+    pub fn new(system: &System) -> Placed {
+        let body = &system.body;
+        Placed {
+            arms: vec![Vector3::zeros(); body.points.len() + system.forces.markers().len()],
+            masses: body.points.iter().map(|p| p.mass).collect(),
+            mass: body.mass,
+            axes: Matrix3::identity(),
+            inertia: body.inertia,
+            center: body.center,
+        }
+    }
+
+    /// Turns the points from body axes to `orientation`.
+    pub fn turn(&mut self, system: &System, orientation: &Rotation) {
+        let axes = orientation.to_rotation_matrix().into_inner();
+        let given = system.body.points.iter().map(|p| &p.position).chain(system.forces.markers());
+        for (arm, position) in self.arms.iter_mut().zip(given) {
+            *arm = axes * position;
+        }
+        self.inertia = axes * system.body.inertia * axes.transpose();
+        self.center = axes * system.body.center;
+        self.axes = axes;
+    }
+
+    /// Centre of mass from the origin [m], world.
+    pub fn center(&self) -> Vector3<f64> {
+        self.center
+    }
+
+    /// The points in motion: origin [m], its velocity [m/s] and Ω [rad/s], world.
+    pub fn cloud(&self, origin: Vector3<f64>, velocity: Vector3<f64>, spin: Vector3<f64>) -> Cloud<'_> {
+        Cloud {
+            arms: &self.arms,
+            masses: &self.masses,
+            origin,
+            velocity,
+            spin,
+            mass: self.mass,
+            inertia: self.inertia,
+            center: self.center,
+            axes: self.axes,
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! A moment of a motion as every model shows it, and how far two of them are apart.
+
+use nalgebra::Vector3;
+
+use super::body::{Body, Shape};
+use crate::rotation::{self, Rotation};
+
+/// A moment of a motion, the same for every model. World axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Snapshot {
+    /// t [s].
+    pub time: f64,
+    /// X_cm [m].
+    pub position: Vector3<f64>,
+    /// U_cm [m/s].
+    pub velocity: Vector3<f64>,
+    /// Takes body axes to world axes.
+    pub orientation: Rotation,
+    /// Ω [rad/s].
+    pub angular_velocity: Vector3<f64>,
+    /// L [kg m²/s], about the centre of mass, or about the pivot where there is one.
+    pub angular_momentum: Vector3<f64>,
+    /// Largest change of a distance between points of the body, over its extent.
+    pub stretch: f64,
+}
+
+/// A quantity whose error against the reference has an order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Quantity {
+    /// X_cm [m].
+    Position,
+    /// U_cm [m/s].
+    Velocity,
+    /// Angle of the relative rotation [rad]; of the axis for a rod.
+    Orientation,
+    /// Ω [rad/s].
+    AngularVelocity,
+    /// L [kg m²/s].
+    AngularMomentum,
+    /// Largest error of a point of the body [m]: this one exists for every body.
+    BodyPoint,
+}
+
+impl Quantity {
+    /// All quantities, in the order of reports.
+    pub const ALL: [Quantity; 6] = [
+        Quantity::Position,
+        Quantity::Velocity,
+        Quantity::Orientation,
+        Quantity::AngularVelocity,
+        Quantity::AngularMomentum,
+        Quantity::BodyPoint,
+    ];
+
+    /// Name in records.
+    pub fn name(self) -> &'static str {
+        match self {
+            Quantity::Position => "position",
+            Quantity::Velocity => "velocity",
+            Quantity::Orientation => "orientation",
+            Quantity::AngularVelocity => "angular-velocity",
+            Quantity::AngularMomentum => "angular-momentum",
+            Quantity::BodyPoint => "body-point",
+        }
+    }
+
+    /// Unit of its error.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Quantity::Position | Quantity::BodyPoint => "m",
+            Quantity::Velocity => "m/s",
+            Quantity::Orientation => "rad",
+            Quantity::AngularVelocity => "rad/s",
+            Quantity::AngularMomentum => "kg m²/s",
+        }
+    }
+}
+
+/// How far two moments of one body are apart, in the order of [`Quantity::ALL`] and in its units.
+///
+/// Lengths are Euclidean. For a rod the orientation is the angle between its directions, for a single point it
+/// is 0. The body-point difference is the largest over the mass points, or over the ends of the principal
+/// radii of gyration where the body has none.
+pub fn difference(body: &Body, a: &Snapshot, b: &Snapshot) -> [f64; 6] {
+    let orientation = match body.shape {
+        Shape::Point => 0.0,
+        Shape::Rod { direction } => {
+            rotation::angle_between_directions(&(a.orientation * direction), &(b.orientation * direction))
+        }
+        Shape::Extended => rotation::angle_between(&a.orientation, &b.orientation),
+    };
+    [
+        rotation::length(&(a.position - b.position)),
+        rotation::length(&(a.velocity - b.velocity)),
+        orientation,
+        rotation::length(&(a.angular_velocity - b.angular_velocity)),
+        rotation::length(&(a.angular_momentum - b.angular_momentum)),
+        body_point_difference(body, a, b),
+    ]
+}
+
+/// Largest distance between the places of a body point in two moments [m].
+///
+/// X_k = X_cm + R (x_k − c). The difference of the rotations is applied as one small matrix, so that equal
+/// orientations give exactly the difference of the positions.
+fn body_point_difference(body: &Body, a: &Snapshot, b: &Snapshot) -> f64 {
+    let shift = a.position - b.position;
+    let turn =
+        a.orientation.to_rotation_matrix().into_inner() - b.orientation.to_rotation_matrix().into_inner();
+    let apart = |x: Vector3<f64>| rotation::length(&(shift + turn * (x - body.center)));
+    if body.points.is_empty() {
+        let radii = body.moments.map(|moment| (moment / body.mass).sqrt());
+        return (0..3)
+            .map(|i| apart(body.center + body.principal * Vector3::ith(i, radii[i])))
+            .fold(0.0, f64::max);
+    }
+    body.points.iter().map(|p| apart(p.position)).fold(0.0, f64::max)
+}

@@ -1,0 +1,49 @@
+//! The Euler-only baseline: the first stage of Peskin's scheme taken over the whole step.
+//!
+//! (1)–(4)  s1 = advance(s0, h, rates(t, s0))
+//!
+//! Source: peskin2021, steps (1)–(4). First order, with the exact rotation; L constant without torque.
+
+use super::{Card, Scheme};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
+use crate::model::{Broken, Model};
+
+/// Euler's method with an exact rotation.
+#[derive(Clone, Copy, Debug)]
+pub struct Euler;
+
+impl Scheme for Euler {
+    const CARD: Card = Card {
+        name: "euler",
+        title: "Euler-only baseline with exact rotation",
+        family: "the note",
+        source: "peskin2021",
+        claims: &[
+            Claim::Order(1),
+            Claim::Exact(Quantity::Velocity, When::ConstantForce),
+            Claim::Exact(Quantity::Position, When::NoForce),
+            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+            Claim::Exact(Quantity::Orientation, When::SteadySpin),
+            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+            Claim::Energy(EnergyOfFreeBody::GrowsSecularly { rate_order: 1 }),
+            Claim::VerticalMomentum,
+            Claim::FlipTimes,
+            Claim::Rigid,
+            Claim::Evaluations(1),
+        ],
+    };
+    const STAGES: usize = 0;
+
+    fn step<M: Model>(
+        model: &M,
+        t: f64,
+        h: f64,
+        from: &M::State,
+        to: &mut M::State,
+        _stages: &mut [M::State],
+    ) -> Result<(), Broken> {
+        let k0 = model.rates(t, from)?;
+        model.advance(from, h, &k0, to); // (1)–(4)
+        Ok(())
+    }
+}

@@ -1,0 +1,54 @@
+//! Peskin's two-stage scheme: Euler to the midpoint, then the midpoint rule, with exact rotations.
+//!
+//! (1)–(4)  s½ = advance(s0, h/2, rates(t, s0))
+//! (5)–(8)  s1 = advance(s0, h, rates(t + h/2, s½))       from s0 again, not from s½
+//!
+//! Source: peskin2021, steps (1)–(8). Second order; L constant without torque; the energy of a free body grows
+//! at a rate ∝ h³, so that it drifts: this is the scheme's weak side.
+
+use super::{Card, Scheme};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
+use crate::model::{Broken, Model};
+
+/// Peskin's scheme.
+#[derive(Clone, Copy, Debug)]
+pub struct PeskinRk2;
+
+impl Scheme for PeskinRk2 {
+    const CARD: Card = Card {
+        name: "peskin-rk2",
+        title: "Peskin's two-stage scheme",
+        family: "the note",
+        source: "peskin2021",
+        claims: &[
+            Claim::Order(2),
+            Claim::Exact(Quantity::Velocity, When::ConstantForce),
+            Claim::Exact(Quantity::Position, When::ConstantForce),
+            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+            Claim::Exact(Quantity::Orientation, When::SteadySpin),
+            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+            Claim::Energy(EnergyOfFreeBody::GrowsSecularly { rate_order: 3 }),
+            Claim::VerticalMomentum,
+            Claim::FlipTimes,
+            Claim::Rigid,
+            Claim::Evaluations(2),
+        ],
+    };
+    const STAGES: usize = 1;
+
+    fn step<M: Model>(
+        model: &M,
+        t: f64,
+        h: f64,
+        from: &M::State,
+        to: &mut M::State,
+        stages: &mut [M::State],
+    ) -> Result<(), Broken> {
+        let half = &mut stages[0];
+        let k0 = model.rates(t, from)?;
+        model.advance(from, h / 2.0, &k0, half); // (1)–(4)
+        let k1 = model.rates(t + h / 2.0, half)?;
+        model.advance(from, h, &k1, to); // (5)–(8)
+        Ok(())
+    }
+}
