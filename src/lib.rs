@@ -4,3 +4,5 @@ pub mod model;
 pub mod record;
 pub mod rotation;
 pub mod schemes;
+pub mod simulate;
+pub mod regression;

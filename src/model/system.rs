@@ -209,6 +209,58 @@ impl System {
         self.start.position - self.start.orientation * self.body.center
     }
 
+    /// The same system started a little off: turned by `turn` [rad], with changes of L [kg m²/s], position [m]
+    /// and velocity [m/s]. A pivot stays where it is, and a rod gets no L along it.
+    pub fn displaced(&self, turn: &Vector3<f64>, change: &Start) -> System {
+        let mut system = self.clone();
+        let start = &mut system.start;
+        start.orientation = rotation::turn(turn) * start.orientation;
+        match self.body.shape {
+            Shape::Point => {}
+            Shape::Rod { direction } => {
+                let direction = start.orientation * direction;
+                let momentum = start.angular_momentum + change.angular_momentum;
+                start.angular_momentum = momentum - direction * direction.dot(&momentum);
+            }
+            Shape::Extended => start.angular_momentum += change.angular_momentum,
+        }
+        if self.body.pivoted {
+            start.position = self.origin() + start.orientation * self.body.center;
+        } else {
+            start.position += change.position;
+            start.velocity += change.velocity;
+        }
+        system
+    }
+
+    /// Whether the force on the centre of mass is constant, and whether it is zero.
+    pub fn constant_force(&self) -> (bool, bool) {
+        let laws = self.forces.laws();
+        let free_of_force = !self.body.pivoted && laws.iter().all(Law::is_torque);
+        let constant = !self.body.pivoted && laws.iter().all(|law| law.is_torque() || matches!(law, Law::Gravity(_)));
+        (constant, free_of_force)
+    }
+
+    /// Whether no torque acts about the centre of mass and nothing holds the body.
+    pub fn torque_free(&self) -> bool {
+        !self.body.pivoted && self.forces.laws().iter().all(|law| matches!(law, Law::Gravity(_)))
+    }
+
+    /// Whether Ω is constant to rounding: no torque, and Ω along L.
+    pub fn steady_spin(&self) -> bool {
+        let attitude = self.start.orientation;
+        let momentum = attitude.inverse_transform_vector(&self.start.angular_momentum);
+        let spin = self.body.inverse_inertia() * momentum;
+        let across = rotation::length(&spin.cross(&momentum));
+        // I⁻¹ of an extended body is good to a few rounding units times its condition.
+        let condition = match self.body.shape {
+            Shape::Extended => self.body.moments.max() / self.body.moments.min(),
+            Shape::Point | Shape::Rod { .. } => 1.0,
+        };
+        let rounding = 16.0 * f64::EPSILON * condition.min(1e3);
+        self.torque_free() && across <= rounding * rotation::length(&spin) * rotation::length(&momentum)
+    }
+
     /// The least model that determines the motion.
     pub fn least(&self) -> AnyModel {
         let (rotational, start, forces) = (self.rotational(), self.start, self.forces.clone());

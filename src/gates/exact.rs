@@ -1,0 +1,54 @@
+//! The exactness gate: every error of the ladder at the floor of rounding and reference, at the end and over the
+//! run; L of the point form too.
+
+use super::{Case, applies, at_most, ruled};
+use crate::claim::{Quantity, When};
+use crate::metrics::{Place, QuantityLadder};
+use crate::record::{Ruling, Verdict};
+use crate::regression::Ladder;
+
+/// Relative change of L that n steps of the point form may leave: the rounding of Σ X̃_k × F_k each step.
+fn momentum_rounding(steps: u64) -> f64 {
+    f64::EPSILON * (8.0 + 4.0 * (steps as f64).sqrt())
+}
+
+pub(super) fn judge(case: &Case, quantity: Quantity, when: When) -> Vec<Verdict> {
+    if !applies(case.system, when) {
+        let detail = "the scene is not one that the promise is made for";
+        return vec![ruled(case, "exact", quantity.name(), Ruling::NotApplicable, detail)];
+    }
+    let mut verdicts = Vec::new();
+    for place in Place::ALL {
+        let name = format!("{}-{}", quantity.name(), place.suffix());
+        let ladder = case.evidence.ladders.iter().find(|l| l.quantity == quantity && l.place == place);
+        if let Some(ladder) = ladder {
+            verdicts.push(judge_ladder(case, &name, ladder));
+        }
+    }
+    if quantity == Quantity::AngularMomentum
+        && let Some(points) = case.points
+        && let Some(change) = points.momentum_change
+    {
+        let bound = momentum_rounding(points.steps);
+        let detail = format!("relative change of L in {} steps of the point form: {change:.2e} ≤ {bound:.2e}", points.steps);
+        verdicts.push(at_most(case, "exact", "angular-momentum-points", change, bound, detail));
+    }
+    verdicts
+}
+
+fn judge_ladder(case: &Case, name: &str, ladder: &QuantityLadder) -> Verdict {
+    let unit = ladder.quantity.unit();
+    let worst = ladder.rungs.iter().max_by(|a, b| (a.1 - 10.0 * a.2).total_cmp(&(b.1 - 10.0 * b.2)));
+    let (error, bound) = worst.map_or((f64::NAN, f64::NAN), |rung| (rung.1, 10.0 * rung.2));
+    match ladder.ladder {
+        Ladder::Broken => ruled(case, "exact", name, Ruling::Broken, "a run of the ladder broke"),
+        _ => at_most(
+            case,
+            "exact",
+            name,
+            error,
+            bound,
+            format!("largest error of the ladder {error:.2e} {unit}, ten times its floor {bound:.2e} {unit}"),
+        ),
+    }
+}

@@ -1,0 +1,146 @@
+//! Judgement: one file a gate, a pure function of what was measured, and the table of known deviations.
+//!
+//! [`judge`] matches on [`Claim`] exhaustively: a claim without a gate does not compile.
+
+mod deviations;
+mod energy;
+mod evaluations;
+mod exact;
+mod flip_times;
+mod order;
+mod reduction;
+mod reference;
+mod rigid;
+mod vertical_momentum;
+
+use crate::claim::{Claim, Quantity, When};
+use crate::metrics::{EnergyDrift, Evidence, Flips, PointRun};
+use crate::model::System;
+use crate::record::{Records, Ruling, Verdict};
+use crate::schemes::Card;
+
+pub use reference::judge_reference;
+
+/// Everything that was measured on one scheme in one scene.
+pub struct Case<'a> {
+    /// Name of the scene.
+    pub scene: &'a str,
+    /// Why the order gate does not apply, if it does not.
+    pub not_for_order: Option<&'a str>,
+    /// Body, forces and start.
+    pub system: &'a System,
+    /// What the scheme says of itself.
+    pub card: &'a Card,
+    /// The ladder of steps.
+    pub evidence: &'a Evidence,
+    /// Long runs of a free body.
+    pub drift: Option<&'a EnergyDrift>,
+    /// The note as written, beside the least model.
+    pub points: Option<&'a PointRun>,
+    /// Flips of a tumbling body.
+    pub flips: Option<&'a Flips>,
+    /// Error constants on record.
+    pub baseline: &'a Baseline,
+}
+
+/// Error constants on record, by scene, scheme and quantity.
+#[derive(Clone, Debug, Default)]
+pub struct Baseline {
+    rows: Vec<(String, String, String, f64)>,
+}
+
+impl Baseline {
+    /// The constants of a records file.
+    pub fn from_records(records: &Records) -> Baseline {
+        let rows = records
+            .orders
+            .iter()
+            .filter_map(|o| Some((o.scene.clone(), o.scheme.clone(), o.quantity.clone(), o.constant?)))
+            .collect();
+        Baseline { rows }
+    }
+
+    /// The constant of a quantity, in its unit over sᵖ.
+    pub fn constant(&self, scene: &str, scheme: &str, quantity: &str) -> Option<f64> {
+        self.rows.iter().find(|r| r.0 == scene && r.1 == scheme && r.2 == quantity).map(|r| r.3)
+    }
+}
+
+/// Judges every claim of a scheme in a scene.
+pub fn judge(case: &Case) -> Vec<Verdict> {
+    let mut verdicts = Vec::new();
+    for claim in case.card.claims {
+        match *claim {
+            Claim::Order(order) => verdicts.extend(order::judge(case, order)),
+            Claim::Exact(quantity, when) => verdicts.extend(exact::judge(case, quantity, when)),
+            Claim::Energy(energy) => verdicts.extend(energy::judge(case, energy)),
+            Claim::VerticalMomentum => verdicts.extend(vertical_momentum::judge(case)),
+            Claim::FlipTimes => verdicts.extend(flip_times::judge(case)),
+            Claim::Rigid => verdicts.extend(rigid::judge(case)),
+            Claim::Evaluations(count) => verdicts.extend(evaluations::judge(case, count)),
+        }
+    }
+    verdicts.extend(reduction::judge(case));
+    deviations::apply(&mut verdicts);
+    verdicts
+}
+
+/// Exit code of a gate: 1 where a claim failed or a run broke, 2 where nothing failed but something is
+/// undecided, 0 where all holds. Known deviations do not count.
+pub fn exit_code(verdicts: &[Verdict]) -> u8 {
+    let counted = |ruling| verdicts.iter().any(|v| v.verdict == ruling && v.known_deviation.is_none());
+    if counted(Ruling::Fail) || counted(Ruling::Broken) {
+        1
+    } else if counted(Ruling::Inconclusive) || verdicts.is_empty() {
+        2
+    } else {
+        0
+    }
+}
+
+/// Whether a promise of exactness speaks about this scene.
+fn applies(system: &System, when: When) -> bool {
+    let (constant_force, no_force) = system.constant_force();
+    match when {
+        When::NoForce => no_force,
+        When::ConstantForce => constant_force,
+        When::NoTorque => system.torque_free(),
+        When::SteadySpin => system.steady_spin(),
+    }
+}
+
+/// Whether the card promises this quantity to be exact in this scene. A body point is where both X_cm and the
+/// orientation are.
+fn promised_exact(case: &Case, quantity: Quantity) -> bool {
+    if quantity == Quantity::BodyPoint {
+        return promised_exact(case, Quantity::Position) && promised_exact(case, Quantity::Orientation);
+    }
+    case.card.claims.iter().any(|claim| match claim {
+        Claim::Exact(exact, when) => *exact == quantity && applies(case.system, *when),
+        _ => false,
+    })
+}
+
+/// A verdict without numbers.
+fn ruled(case: &Case, claim: &str, quantity: &str, verdict: Ruling, detail: impl Into<String>) -> Verdict {
+    Verdict {
+        scene: case.scene.to_owned(),
+        scheme: case.card.name.to_owned(),
+        claim: claim.to_owned(),
+        quantity: quantity.to_owned(),
+        verdict,
+        detail: detail.into(),
+        ..Verdict::default()
+    }
+}
+
+/// Passes where `measured` is at most `bound`; NaN never passes.
+fn at_most(case: &Case, claim: &str, quantity: &str, measured: f64, bound: f64, detail: String) -> Verdict {
+    let verdict = if measured <= bound { Ruling::Pass } else { Ruling::Fail };
+    Verdict {
+        measured: measured.is_finite().then_some(measured),
+        low: Some(0.0),
+        high: Some(bound),
+        ..ruled(case, claim, quantity, verdict, detail)
+    }
+}

@@ -1,0 +1,119 @@
+//! The order gate: the 95 % interval of the fitted slope inside p ± 0.15, and the error constant within 5 % of the
+//! one on record.
+
+use super::{Case, promised_exact, ruled};
+use crate::metrics::{BAND, QuantityLadder};
+use crate::model::Quantity;
+use crate::model::body::Shape;
+use crate::record::{Ruling, Verdict};
+use crate::regression::{Fit, Ladder};
+
+/// Largest relative change of an error constant.
+const CONSTANT_CHANGE: f64 = 0.05;
+
+pub(super) fn judge(case: &Case, order: u32) -> Vec<Verdict> {
+    if let Some(reason) = case.not_for_order {
+        return vec![ruled(case, "order", "all", Ruling::NotApplicable, reason)];
+    }
+    let mut verdicts = Vec::new();
+    for ladder in &case.evidence.ladders {
+        if promised_exact(case, ladder.quantity) || does_not_turn(case, ladder.quantity) {
+            continue;
+        }
+        let name = format!("{}-{}", ladder.quantity.name(), ladder.place.suffix());
+        verdicts.push(judge_slope(case, order, ladder, &name));
+        verdicts.extend(judge_constant(case, ladder, &name));
+    }
+    verdicts
+}
+
+/// Rotation of a single point is no quantity.
+fn does_not_turn(case: &Case, quantity: Quantity) -> bool {
+    let rotational =
+        matches!(quantity, Quantity::Orientation | Quantity::AngularVelocity | Quantity::AngularMomentum);
+    rotational && case.system.body.shape == Shape::Point
+}
+
+fn judge_slope(case: &Case, order: u32, ladder: &QuantityLadder, name: &str) -> Verdict {
+    let rule = |verdict, detail: String| ruled(case, "order", name, verdict, detail);
+    match &ladder.ladder {
+        Ladder::Window { fit, rungs } => judge_fit(case, order, ladder, fit, rungs.len(), name),
+        Ladder::Exact => rule(
+            Ruling::NotApplicable,
+            "exact: every rung of the ladder is at the floor of rounding and reference, so there is no order to measure"
+                .to_owned(),
+        ),
+        Ladder::TooFew { clear } => {
+            let floor = ladder.rungs.last().map_or(f64::NAN, |rung| rung.2);
+            rule(
+                Ruling::Inconclusive,
+                format!(
+                    "only {clear} of {} rungs stand 10 times clear of the floor of rounding and reference ({floor:.2e} {}); a slope needs 4",
+                    ladder.rungs.len(),
+                    ladder.quantity.unit(),
+                ),
+            )
+        }
+        Ladder::Unsettled => rule(
+            Ruling::Inconclusive,
+            format!(
+                "no three successive slopes agree to 0.15 down to h = {:.3e} s: not asymptotic",
+                ladder.rungs.last().map_or(f64::NAN, |rung| rung.0)
+            ),
+        ),
+        Ladder::Broken => {
+            let why = case.evidence.rungs.last().and_then(|rung| rung.outcome.broken.as_ref());
+            rule(Ruling::Broken, why.map_or("no finite error".to_owned(), ToString::to_string))
+        }
+    }
+}
+
+fn judge_fit(case: &Case, order: u32, ladder: &QuantityLadder, fit: &Fit, rungs: usize, name: &str) -> Verdict {
+    let (bottom, top) = (f64::from(order) - BAND, f64::from(order) + BAND);
+    let (verdict, reason) = if ladder.holds(order) {
+        (Ruling::Pass, "inside")
+    } else if fit.slope > top {
+        (Ruling::Fail, "above the band (too easy a scene, or mis-declared):")
+    } else if fit.slope < bottom {
+        (Ruling::Fail, "below the band:")
+    } else {
+        (Ruling::Inconclusive, "interval wider than the band:")
+    };
+    Verdict {
+        measured: Some(fit.slope),
+        low: Some(fit.low),
+        high: Some(fit.high),
+        ..ruled(
+            case,
+            "order",
+            name,
+            verdict,
+            format!(
+                "slope {:.3} [{:.3}, {:.3}] over {rungs} rungs, {reason} {bottom:.2} … {top:.2}",
+                fit.slope, fit.low, fit.high
+            ),
+        )
+    }
+}
+
+fn judge_constant(case: &Case, ladder: &QuantityLadder, name: &str) -> Option<Verdict> {
+    let known = case.baseline.constant(case.scene, case.card.name, name)?;
+    let Some(constant) = ladder.constant else {
+        let detail = format!("constant {known:.4e} on record, none measured");
+        return Some(ruled(case, "constant", name, Ruling::Inconclusive, detail));
+    };
+    let holds = (constant / known - 1.0).abs() <= CONSTANT_CHANGE;
+    let verdict = if holds { Ruling::Pass } else { Ruling::Fail };
+    Some(Verdict {
+        measured: Some(constant),
+        low: Some(known * (1.0 - CONSTANT_CHANGE)),
+        high: Some(known * (1.0 + CONSTANT_CHANGE)),
+        ..ruled(
+            case,
+            "constant",
+            name,
+            verdict,
+            format!("C = {constant:.4e}, on record {known:.4e} ± 5 %: ratio {:.4}", constant / known),
+        )
+    })
+}

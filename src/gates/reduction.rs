@@ -1,0 +1,19 @@
+//! The reduced model against the note as written: the same scheme, so they agree to rounding.
+
+use super::{Case, at_most};
+use crate::record::{Ruling, Verdict};
+
+/// Largest difference of any quantity, over its scale, after 1,000 steps.
+const LARGEST: f64 = 1e-12;
+
+pub(super) fn judge(case: &Case) -> Vec<Verdict> {
+    let Some(points) = case.points else {
+        let detail = "the body has no point form";
+        return vec![super::ruled(case, "reduction", "all", Ruling::NotApplicable, detail)];
+    };
+    let detail = format!(
+        "largest difference between model '{}' and the mass points in {} steps, over the scale of each quantity: {:.2e} ≤ {LARGEST:.0e}",
+        case.evidence.model, points.steps, points.difference
+    );
+    vec![at_most(case, "reduction", "all", points.difference, LARGEST, detail)]
+}

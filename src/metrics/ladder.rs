@@ -1,0 +1,253 @@
+//! A scheme's ladder of steps on a scene: the same run at halved steps, until the orders are settled.
+//!
+//! The floor of an error is what rounding and the reference leave undecided. Rounding is measured: the start
+//! is moved a little in seeded directions, and the growth of the difference over the run says what a rounding of
+//! each step becomes. n steps leave about √n roundings, and the rounding of h turns the phase by u |Ω| T.
+
+use nalgebra::Vector3;
+
+use super::{ALL, Reading, Sight, errors};
+use crate::model::{AnyModel, Quantity, Snapshot, Start, System};
+use crate::reference::Reference;
+use crate::regression::{self, Fit, Ladder};
+use crate::rotation;
+use crate::simulate::{Contestant, Outcome, Plan, Trajectory};
+
+/// Fewest rungs of a ladder.
+const FEWEST_RUNGS: usize = 6;
+/// Most rungs of a ladder.
+const MOST_RUNGS: usize = 13;
+/// Most steps of a rung.
+const MOST_STEPS: u64 = 1 << 20;
+/// Radians turned in a step of the coarsest rung, at most.
+const COARSEST_TURN: f64 = 0.4;
+/// Half-width of the band about the claimed order.
+pub const BAND: f64 = 0.15;
+/// Size of the displacements that measure how roundings grow, relative.
+const DISPLACEMENT: f64 = 1e-7;
+/// Directions of displacement.
+const DIRECTIONS: usize = 3;
+
+/// Where along a run an error is taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// At the end.
+    End,
+    /// The largest over the run.
+    Max,
+}
+
+impl Place {
+    /// Both.
+    pub const ALL: [Place; 2] = [Place::End, Place::Max];
+
+    /// Suffix in records.
+    pub fn suffix(self) -> &'static str {
+        match self {
+            Place::End => "end",
+            Place::Max => "max",
+        }
+    }
+
+    /// The value of a reading at this place.
+    pub fn of(self, reading: &Reading) -> f64 {
+        match self {
+            Place::End => reading.end,
+            Place::Max => reading.max,
+        }
+    }
+}
+
+/// One run of the ladder.
+#[derive(Clone, Debug)]
+pub struct Rung {
+    /// h [s].
+    pub step: f64,
+    /// Steps of a whole run.
+    pub steps: u64,
+    /// Errors, in the order of [`Quantity::ALL`]; NaN where the run broke.
+    pub errors: [Reading; 6],
+    /// Floors of the errors.
+    pub floors: [Reading; 6],
+    /// The other metrics, in the order of [`ALL`].
+    pub readings: Vec<Option<Reading>>,
+    /// Cost and end.
+    pub outcome: Outcome,
+}
+
+/// A quantity's ladder, judged by nothing but its numbers.
+#[derive(Clone, Debug)]
+pub struct QuantityLadder {
+    /// The quantity.
+    pub quantity: Quantity,
+    /// Where it is taken.
+    pub place: Place,
+    /// (h, error, floor), h falling.
+    pub rungs: Vec<(f64, f64, f64)>,
+    /// What they say.
+    pub ladder: Ladder,
+    /// C = e/hᵖ at the claimed order, at the finest rung of the window that stands 100 times clear of its floor.
+    pub constant: Option<f64>,
+}
+
+impl QuantityLadder {
+    /// The fit, where there is a window.
+    pub fn fit(&self) -> Option<Fit> {
+        if let Ladder::Window { fit, .. } = &self.ladder { Some(*fit) } else { None }
+    }
+
+    /// Whether the interval lies inside the band about `order`.
+    pub fn holds(&self, order: u32) -> bool {
+        self.fit().is_some_and(|fit| {
+            fit.low >= f64::from(order) - BAND && fit.high <= f64::from(order) + BAND
+        })
+    }
+}
+
+/// What a scheme did on the ladder of a scene.
+#[derive(Clone, Debug)]
+pub struct Evidence {
+    /// Name of the model that was run.
+    pub model: &'static str,
+    /// The runs, step falling.
+    pub rungs: Vec<Rung>,
+    /// Ladders of every quantity at every place.
+    pub ladders: Vec<QuantityLadder>,
+}
+
+/// Runs a ladder. `order` is the claimed one: the ladder grows finer until every quantity's order is settled, at
+/// its floor, or out of reach.
+pub fn climb(contestant: &Contestant, system: &System, reference: &Reference, order: u32) -> Evidence {
+    let model = system.least();
+    let samples = reference.times.len() as u64 - 1;
+    let duration = reference.times[reference.times.len() - 1];
+    let turned = reference.states.iter().map(|s| rotation::length(&s.angular_velocity)).fold(0.0, f64::max) * duration;
+    let mut first = samples;
+    while turned / first as f64 > COARSEST_TURN && first << FEWEST_RUNGS <= MOST_STEPS {
+        first *= 2;
+    }
+    let growth = rounding_growth(contestant, system, reference, first * 4);
+    let mut evidence = Evidence { model: model.name(), rungs: Vec::new(), ladders: Vec::new() };
+    for index in 0..MOST_RUNGS {
+        let steps = first << index;
+        if steps > MOST_STEPS && index >= FEWEST_RUNGS {
+            break;
+        }
+        let floors = floors(reference, &growth, steps, turned);
+        evidence.rungs.push(run_rung(contestant, &model, system, reference, steps, floors));
+        if index + 1 >= FEWEST_RUNGS {
+            evidence.ladders = ladders(&evidence.rungs, order);
+            if evidence.ladders.iter().all(|ladder| settled(ladder, order)) {
+                break;
+            }
+        }
+    }
+    evidence
+}
+
+/// Whether a finer rung would change nothing: decided, or already at the floor.
+fn settled(ladder: &QuantityLadder, order: u32) -> bool {
+    let at_floor = ladder.rungs.last().is_some_and(|(_, e, floor)| *e <= 10.0 * floor);
+    at_floor || ladder.holds(order)
+}
+
+fn run_rung(
+    contestant: &Contestant,
+    model: &AnyModel,
+    system: &System,
+    reference: &Reference,
+    steps: u64,
+    floors: [Reading; 6],
+) -> Rung {
+    let plan = plan(reference, steps);
+    let Trajectory { states, outcome } = contestant.run(model, &plan);
+    let nothing = Reading { end: f64::NAN, max: f64::NAN };
+    let (mut measured, mut readings) = ([nothing; 6], vec![None; ALL.len()]);
+    if outcome.broken.is_none() {
+        let sight = Sight { system, reference, states: &states };
+        measured = errors(&sight);
+        readings = ALL.iter().map(|metric| metric.measure(&sight)).collect();
+    }
+    Rung { step: plan.step, steps, errors: measured, floors, readings, outcome }
+}
+
+fn plan(reference: &Reference, steps: u64) -> Plan {
+    let samples = reference.times.len() as u64 - 1;
+    Plan::over(reference.times[reference.times.len() - 1], steps, samples)
+}
+
+fn ladders(rungs: &[Rung], order: u32) -> Vec<QuantityLadder> {
+    let mut ladders = Vec::new();
+    for (index, quantity) in Quantity::ALL.into_iter().enumerate() {
+        for place in Place::ALL {
+            let points: Vec<_> = rungs
+                .iter()
+                .map(|r| (r.step, place.of(&r.errors[index]), place.of(&r.floors[index])))
+                .collect();
+            let ladder = regression::find_window(&points);
+            let constant = leading_constant(&points, &ladder, order);
+            ladders.push(QuantityLadder { quantity, place, rungs: points, ladder, constant });
+        }
+    }
+    ladders
+}
+
+fn leading_constant(points: &[(f64, f64, f64)], ladder: &Ladder, order: u32) -> Option<f64> {
+    let Ladder::Window { rungs, .. } = ladder else { return None };
+    let window = &points[rungs.clone()];
+    let clearest = window.iter().rev().find(|(_, e, floor)| *e >= 100.0 * floor).or(window.first())?;
+    Some(clearest.1 / clearest.0.powi(order as i32))
+}
+
+/// How many times larger a relative displacement of the start is at the end and at its largest, per quantity.
+fn rounding_growth(contestant: &Contestant, system: &System, reference: &Reference, steps: u64) -> [Reading; 6] {
+    let plan = plan(reference, steps);
+    let undisturbed = contestant.run(&system.least(), &plan);
+    let mut growth = [Reading { end: 0.0, max: 0.0 }; 6];
+    for direction in 0..DIRECTIONS {
+        let displaced = displaced(system, reference, direction);
+        let moved = contestant.run(&displaced.least(), &plan);
+        let sight_states = moved.states.iter().zip(&undisturbed.states);
+        let mut last = [0.0; 6];
+        for (a, b) in sight_states {
+            last = crate::model::difference(&system.body, a, b);
+            for (reading, value) in growth.iter_mut().zip(last) {
+                reading.max = reading.max.max(value / DISPLACEMENT);
+            }
+        }
+        for (reading, value) in growth.iter_mut().zip(last) {
+            reading.end = reading.end.max(value / DISPLACEMENT);
+        }
+    }
+    growth
+}
+
+/// The system started a little off in everything that rounding touches, in one of a few fixed directions.
+fn displaced(system: &System, reference: &Reference, direction: usize) -> System {
+    let directions: [Vector3<f64>; DIRECTIONS] =
+        [Vector3::new(0.36, 0.48, 0.8), Vector3::new(0.8, -0.6, 0.0), Vector3::new(-0.48, -0.64, 0.6)];
+    let along = |scale: f64, shift: usize| directions[(direction + shift) % DIRECTIONS] * (scale * DISPLACEMENT);
+    let largest = |value: fn(&Snapshot) -> f64| reference.states.iter().map(value).fold(0.0, f64::max);
+    let change = Start {
+        position: along(largest(|s| s.position.amax()).max(system.body.extent()), 1),
+        velocity: along(largest(|s| s.velocity.amax()), 2),
+        angular_momentum: along(largest(|s| s.angular_momentum.amax()), 1),
+        orientation: system.start.orientation,
+    };
+    system.displaced(&along(1.0, 0), &change)
+}
+
+/// The larger of the reference's uncertainty and the rounding that `steps` steps leave.
+fn floors(reference: &Reference, growth: &[Reading; 6], steps: u64, turned: f64) -> [Reading; 6] {
+    let roundings = f64::EPSILON * ((steps as f64).sqrt() + 0.5 * turned);
+    let last = reference.uncertainty[reference.uncertainty.len() - 1];
+    let mut floors = *growth;
+    for (index, floor) in floors.iter_mut().enumerate() {
+        let largest = reference.uncertainty.iter().map(|u| u[index]).fold(0.0, f64::max);
+        *floor = Reading {
+            end: (floor.end * roundings).max(last[index]),
+            max: (floor.max * roundings).max(largest),
+        };
+    }
+    floors
+}

@@ -1,0 +1,115 @@
+//! What is measured on a run, one file a metric.
+//!
+//! A metric reads the states of a run and those of its reference at the same times. It returns the value at the
+//! end and the largest over the run; what does not apply to a scene is `None`, never a number.
+
+mod drift;
+mod energy;
+mod flips;
+mod invariants;
+mod ladder;
+mod momentum;
+mod points;
+mod rigidity;
+
+use crate::model::{Quantity, Snapshot, System, difference};
+use crate::reference::Reference;
+
+pub use drift::{Class, EnergyDrift, EnergyRung, energy_drift};
+pub use flips::{FlipFinder, FlipRung, Flips, flips, tumbling_axis};
+pub use ladder::{Evidence, Place, QuantityLadder, Rung, climb};
+pub use points::{PointRun, point_run};
+
+/// A run and its reference at the same times.
+pub struct Sight<'a> {
+    /// The scene.
+    pub system: &'a System,
+    /// The reference, whose times the states share.
+    pub reference: &'a Reference,
+    /// States of the run.
+    pub states: &'a [Snapshot],
+}
+
+/// A metric's two values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reading {
+    /// At the end.
+    pub end: f64,
+    /// The largest over the run.
+    pub max: f64,
+}
+
+/// One metric.
+pub struct Metric {
+    /// Name in records; `-end` or `-max` is appended.
+    pub name: &'static str,
+    /// Unit.
+    pub unit: &'static str,
+    /// What it is, in words.
+    pub what: &'static str,
+    measure: fn(&Sight) -> Option<Reading>,
+}
+
+impl Metric {
+    /// Measures; `None` where the metric does not apply.
+    pub fn measure(&self, sight: &Sight) -> Option<Reading> {
+        (self.measure)(sight)
+    }
+}
+
+/// The metrics beside the six errors of [`Quantity`].
+pub const ALL: [Metric; 8] = [
+    momentum::MAGNITUDE,
+    momentum::DIRECTION,
+    energy::ROTATIONAL,
+    energy::TOTAL,
+    rigidity::RIGIDITY,
+    invariants::KOVALEVSKAYA,
+    invariants::VERTICAL_MOMENTUM,
+    invariants::AXIAL_MOMENTUM,
+];
+
+/// Errors of the six quantities at every common time, in the order of [`Quantity::ALL`].
+pub fn errors(sight: &Sight) -> [Reading; 6] {
+    let mut readings = [Reading { end: 0.0, max: 0.0 }; 6];
+    for (state, truth) in sight.states.iter().zip(&sight.reference.states) {
+        let apart = difference(&sight.system.body, state, truth);
+        for (reading, value) in readings.iter_mut().zip(apart) {
+            *reading = Reading { end: value, max: larger(reading.max, value) };
+        }
+    }
+    readings
+}
+
+/// What an error of a quantity is, in words.
+pub fn describe(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::Position => "distance of X_cm from the reference's",
+        Quantity::Velocity => "length of the difference of U_cm",
+        Quantity::Orientation => "angle of the relative rotation; of the axis for a rod",
+        Quantity::AngularVelocity => "length of the difference of Omega",
+        Quantity::AngularMomentum => "length of the difference of L",
+        Quantity::BodyPoint => "largest distance of a body point from its place in the reference",
+    }
+}
+
+/// The larger of two numbers; NaN if either is, where `f64::max` would hide it.
+fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
+}
+
+/// Reads a function of each state and its reference over the run.
+fn read(sight: &Sight, value: impl Fn(&Snapshot, &Snapshot) -> Option<f64>) -> Option<Reading> {
+    let mut reading = Reading { end: 0.0, max: 0.0 };
+    for (state, truth) in sight.states.iter().zip(&sight.reference.states) {
+        let value = value(state, truth)?.abs();
+        reading = Reading { end: value, max: larger(reading.max, value) };
+    }
+    Some(reading)
+}
+
+/// The largest value of a function over the reference; `None` where it is zero or not finite.
+fn scale(sight: &Sight, value: impl Fn(&Snapshot) -> f64) -> Option<f64> {
+    let largest = sight.reference.states.iter().map(|s| value(s).abs()).fold(0.0, larger);
+    (largest > 0.0 && largest.is_finite()).then_some(largest)
+}

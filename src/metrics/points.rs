@@ -1,0 +1,78 @@
+//! The note as written, on every mass point, beside the least model: do they agree, does the body stay rigid, is
+//! L untouched, and what does the reduction save?
+
+use crate::model::{Quantity, System, difference};
+use crate::rotation;
+use crate::simulate::{Contestant, Outcome, Plan};
+
+/// Steps of the comparison.
+const STEPS: u64 = 1000;
+/// Radians turned a step, at most.
+const TURN: f64 = 1.0 / 64.0;
+
+/// A run of the point form and what it shows.
+#[derive(Clone, Debug)]
+pub struct PointRun {
+    /// h [s].
+    pub step: f64,
+    /// Steps taken.
+    pub steps: u64,
+    /// Largest difference from the least model over the run, each quantity over its own scale.
+    pub difference: f64,
+    /// Largest change of a distance between points over the run, over the extent.
+    pub stretch: f64,
+    /// Largest change of L over |L|, for a body that no torque turns.
+    pub momentum_change: Option<f64>,
+    /// Cost of the point form.
+    pub outcome: Outcome,
+    /// Cost of a step of the point form over one of the least model, from the same run.
+    pub speedup: Option<f64>,
+}
+
+/// Runs both forms for 1,000 steps; `None` where the body has no points.
+pub fn point_run(contestant: &Contestant, system: &System, duration: f64, fastest: f64) -> Option<PointRun> {
+    let points = system.points().ok()?;
+    let steepest = if fastest > 0.0 { TURN / fastest } else { duration };
+    let step = steepest.min(duration / STEPS as f64);
+    let plan = Plan { step, steps: STEPS, every: 50 };
+    let written = contestant.run(&points, &plan);
+    let least = contestant.run(&system.least(), &plan);
+    let scales = scales(system, &least.states);
+    let mut largest: f64 = 0.0;
+    let (mut stretch, mut change): (f64, f64) = (0.0, 0.0);
+    for (a, b) in written.states.iter().zip(&least.states) {
+        let apart = difference(&system.body, a, b);
+        largest = apart.iter().zip(scales).map(|(d, scale)| d / scale).fold(largest, super::larger);
+        stretch = super::larger(stretch, a.stretch);
+        change = super::larger(change, rotation::length(&(a.angular_momentum - system.start.angular_momentum)));
+    }
+    let momentum = rotation::length(&system.start.angular_momentum);
+    let cost = |outcome: &Outcome| outcome.nanoseconds as f64 / outcome.steps.max(1) as f64;
+    Some(PointRun {
+        step,
+        steps: STEPS,
+        difference: largest,
+        stretch,
+        momentum_change: (system.torque_free() && momentum > 0.0).then_some(change / momentum),
+        speedup: (least.outcome.nanoseconds > 0).then(|| cost(&written.outcome) / cost(&least.outcome)),
+        outcome: written.outcome,
+    })
+}
+
+/// What each quantity is compared with: its largest value over the run, or the body's own size.
+fn scales(system: &System, states: &[crate::model::Snapshot]) -> [f64; 6] {
+    let largest = |value: fn(&crate::model::Snapshot) -> f64| states.iter().map(value).fold(0.0, f64::max);
+    let extent = system.body.extent();
+    let position = largest(|s| rotation::length(&s.position)).max(extent);
+    let momentum = largest(|s| rotation::length(&s.angular_momentum));
+    let spin = largest(|s| rotation::length(&s.angular_velocity));
+    let speed = largest(|s| rotation::length(&s.velocity)).max(spin * extent);
+    let or_one = |scale: f64| if scale > 0.0 { scale } else { 1.0 };
+    Quantity::ALL.map(|quantity| match quantity {
+        Quantity::Position | Quantity::BodyPoint => or_one(position),
+        Quantity::Velocity => or_one(speed),
+        Quantity::Orientation => 1.0,
+        Quantity::AngularVelocity => or_one(spin),
+        Quantity::AngularMomentum => or_one(momentum),
+    })
+}

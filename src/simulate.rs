@@ -1,0 +1,231 @@
+//! Scene × scheme × step → trajectory and cost.
+//!
+//! Scheme and model are dispatched once a run; inside is a monomorphic loop without allocation. Times are
+//! t = n h, never accumulated.
+
+use std::cell::Cell;
+use std::time::Instant;
+
+use crate::model::{AnyModel, Broken, Model, Snapshot};
+use crate::schemes::{self, Card, Scheme, Visitor};
+
+/// Steps between two checks that the state is finite.
+const CHECKED_EVERY: u64 = 1024;
+
+/// How a run is to be stepped.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plan {
+    /// h [s].
+    pub step: f64,
+    /// Number of steps.
+    pub steps: u64,
+    /// Steps between two stored states; the first and the last are stored too.
+    pub every: u64,
+}
+
+impl Plan {
+    /// A run over `duration` [s] in equal steps, with states stored at `samples` equal intervals of it.
+    pub fn over(duration: f64, steps: u64, samples: u64) -> Plan {
+        Plan { step: duration / steps as f64, steps, every: (steps / samples).max(1) }
+    }
+}
+
+/// Where and why a run broke.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("broke in step {step}, at t = {time} s: {why}")]
+pub struct Break {
+    /// The step that broke, from 1.
+    pub step: u64,
+    /// Time at its end [s].
+    pub time: f64,
+    /// Why.
+    pub why: Broken,
+}
+
+/// What a run cost, and whether it came to its end.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outcome {
+    /// Steps that were taken whole.
+    pub steps: u64,
+    /// Evaluations of the rates, and so of the forces.
+    pub evaluations: u64,
+    /// Wall-clock time of the steps alone [ns].
+    pub nanoseconds: u64,
+    /// Why the run ended early, if it did.
+    pub broken: Option<Break>,
+}
+
+/// A run with its stored states.
+#[derive(Clone, Debug)]
+pub struct Trajectory {
+    /// The first state, every K-th and the last; those before the break where the run broke.
+    pub states: Vec<Snapshot>,
+    /// Cost and end.
+    pub outcome: Outcome,
+}
+
+/// A scheme that can be run on any model.
+#[derive(Clone, Debug)]
+pub struct Contestant {
+    /// What the scheme says of itself.
+    pub card: Card,
+    run: fn(&AnyModel, &Plan, &mut dyn FnMut(&Snapshot)) -> Outcome,
+}
+
+impl Contestant {
+    /// A scheme of any crate.
+    pub fn new<S: Scheme>() -> Contestant {
+        Contestant { card: S::CARD, run: run_any::<S> }
+    }
+
+    /// The schemes of the list.
+    pub fn all() -> Vec<Contestant> {
+        struct Collect;
+        impl Visitor for Collect {
+            type Output = Contestant;
+            fn visit<S: Scheme>(&self) -> Contestant {
+                Contestant::new::<S>()
+            }
+        }
+        schemes::visit_all(&Collect)
+    }
+
+    /// Runs and hands every stored state to `store` as it comes: constant memory, however long the run.
+    pub fn stream(&self, model: &AnyModel, plan: &Plan, store: &mut dyn FnMut(&Snapshot)) -> Outcome {
+        (self.run)(model, plan, store)
+    }
+
+    /// Runs and keeps the stored states.
+    pub fn run(&self, model: &AnyModel, plan: &Plan) -> Trajectory {
+        let mut states = Vec::with_capacity((plan.steps / plan.every.max(1) + 2).min(1 << 20) as usize);
+        let outcome = self.stream(model, plan, &mut |snapshot| states.push(*snapshot));
+        Trajectory { states, outcome }
+    }
+}
+
+fn run_any<S: Scheme>(model: &AnyModel, plan: &Plan, store: &mut dyn FnMut(&Snapshot)) -> Outcome {
+    match model {
+        AnyModel::Free(model) => run::<S, _>(model, plan, store),
+        AnyModel::Falling(model) => run::<S, _>(model, plan, store),
+        AnyModel::Torque(model) | AnyModel::Pivot(model) => run::<S, _>(model, plan, store),
+        AnyModel::Forced(model) => run::<S, _>(model, plan, store),
+        AnyModel::Points(model) => run::<S, _>(model, plan, store),
+    }
+}
+
+/// A model that counts the evaluations of its rates.
+struct Counted<'a, M> {
+    model: &'a M,
+    evaluations: Cell<u64>,
+}
+
+impl<M: Model> Model for Counted<'_, M> {
+    type State = M::State;
+    type Rates = M::Rates;
+
+    fn start(&self) -> M::State {
+        self.model.start()
+    }
+
+    fn rates(&self, t: f64, state: &M::State) -> Result<M::Rates, Broken> {
+        self.evaluations.set(self.evaluations.get() + 1);
+        self.model.rates(t, state)
+    }
+
+    fn advance(&self, from: &M::State, s: f64, rates: &M::Rates, into: &mut M::State) {
+        self.model.advance(from, s, rates, into);
+    }
+
+    fn is_finite(&self, state: &M::State) -> bool {
+        self.model.is_finite(state)
+    }
+
+    fn observe(&self, t: f64, state: &M::State) -> Result<Snapshot, Broken> {
+        self.model.observe(t, state)
+    }
+}
+
+/// The buffers of a run, made once.
+struct Stepper<'a, S, M: Model> {
+    model: Counted<'a, M>,
+    step: f64,
+    now: M::State,
+    next: M::State,
+    checked: M::State,
+    stages: Vec<M::State>,
+    scheme: std::marker::PhantomData<S>,
+}
+
+impl<S: Scheme, M: Model> Stepper<'_, S, M> {
+    /// Steps from `from` to `to`, counted from the start of the run.
+    fn advance(&mut self, from: u64, to: u64) -> Result<(), (u64, Broken)> {
+        for n in from..to {
+            let t = n as f64 * self.step;
+            S::step(&self.model, t, self.step, &self.now, &mut self.next, &mut self.stages)
+                .map_err(|why| (n + 1, why))?;
+            std::mem::swap(&mut self.now, &mut self.next);
+        }
+        Ok(())
+    }
+
+    /// Steps and checks the result. Where it is not finite, the steps are taken again one by one to find the
+    /// first that was not.
+    fn advance_checked(&mut self, from: u64, to: u64) -> Result<(), (u64, Broken)> {
+        self.checked.clone_from(&self.now);
+        let result = self.advance(from, to);
+        if result.is_ok() && self.model.is_finite(&self.now) {
+            return Ok(());
+        }
+        self.now.clone_from(&self.checked);
+        for n in from..to {
+            self.advance(n, n + 1)?;
+            if !self.model.is_finite(&self.now) {
+                return Err((n + 1, Broken::NotFinite));
+            }
+        }
+        result
+    }
+}
+
+fn run<S: Scheme, M: Model>(model: &M, plan: &Plan, store: &mut dyn FnMut(&Snapshot)) -> Outcome {
+    let start = model.start();
+    let mut stepper = Stepper::<S, M> {
+        model: Counted { model, evaluations: Cell::new(0) },
+        step: plan.step,
+        next: start.clone(),
+        checked: start.clone(),
+        stages: vec![start.clone(); S::STAGES],
+        now: start,
+        scheme: std::marker::PhantomData,
+    };
+    let mut outcome = Outcome { steps: 0, evaluations: 0, nanoseconds: 0, broken: None };
+    let every = plan.every.max(1);
+    let broke = |step: u64, why| Some(Break { step, time: step as f64 * plan.step, why });
+    loop {
+        if outcome.steps % every == 0 || outcome.steps == plan.steps {
+            match stepper.model.observe(outcome.steps as f64 * plan.step, &stepper.now) {
+                Ok(snapshot) => store(&snapshot),
+                Err(why) => outcome.broken = broke(outcome.steps, why),
+            }
+        }
+        if outcome.steps == plan.steps || outcome.broken.is_some() {
+            break;
+        }
+        let stored_next = (outcome.steps / every + 1).saturating_mul(every);
+        let target = plan.steps.min(stored_next).min(outcome.steps + CHECKED_EVERY);
+        let before = Instant::now();
+        let result = stepper.advance_checked(outcome.steps, target);
+        outcome.nanoseconds += before.elapsed().as_nanos() as u64;
+        match result {
+            Ok(()) => outcome.steps = target,
+            Err((step, why)) => {
+                outcome.steps = step - 1;
+                outcome.broken = broke(step, why);
+            }
+        }
+    }
+    // The final state is an output of the loop: without this a run that stores nothing could be deleted.
+    std::hint::black_box(&stepper.now);
+    outcome.evaluations = stepper.model.evaluations.get();
+    outcome
+}
