@@ -2,5 +2,6 @@
 pub mod claim;
 pub mod model;
 pub mod record;
+pub mod reference;
 pub mod rotation;
 pub mod schemes;
