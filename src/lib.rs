@@ -2,6 +2,7 @@
 pub mod claim;
 pub mod model;
 pub mod record;
+pub mod reference;
 pub mod rotation;
 pub mod schemes;
 pub mod simulate;

@@ -1,0 +1,51 @@
+//! What a run is compared with: solutions of the Euler equations that share nothing with the schemes, and what
+//! they disagree by.
+//!
+//! | source | what it is | good to |
+//! |---|---|---|
+//! | [`tsit45`] | diffsol, order 5 | 1e-13 |
+//! | [`dop853`] | differential-equations, order 8 | 1e-14 |
+//! | [`stored`] | 40 digits at T/4, T/2, 3T/4, T, from 230-bit arithmetic | rounding |
+//!
+//! The uncertainty of a reference is what its sources disagree by, and it travels with every error.
+
+pub mod dop853;
+pub mod equations;
+pub mod run;
+pub mod tsit45;
+pub mod units;
+
+/// A reference that cannot be had.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ReferenceError {
+    /// Times that do not increase from 0 on.
+    #[error("output time {index} is {time} s after {previous} s: times must be finite and increase from 0 on")]
+    Times {
+        /// Index of the time.
+        index: usize,
+        /// The time [s].
+        time: f64,
+        /// The one before [s].
+        previous: f64,
+    },
+    /// A state with NaN or infinity.
+    #[error("{method}: the state is not finite at t = {time} s")]
+    NotFinite {
+        /// Name of the solver.
+        method: &'static str,
+        /// Time [s].
+        time: f64,
+    },
+    /// A solver that gave up.
+    #[error("{method}: no convergence after t = {time} s and {evaluations} evaluations: {reason}")]
+    NoConvergence {
+        /// Name of the solver.
+        method: &'static str,
+        /// Last output time reached [s].
+        time: f64,
+        /// Evaluations of the equations.
+        evaluations: usize,
+        /// What the solver says.
+        reason: String,
+    },
+}
