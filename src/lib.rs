@@ -1,9 +1,29 @@
 //! Polhode: a verification and benchmark harness for rigid-body time-stepping schemes.
-pub mod claim;
-pub mod model;
-pub mod record;
-pub mod reference;
+//!
+//! ```text
+//! scene ──► system (body + forces, the least model that the scene needs)
+//!              │
+//! scheme ──► simulate ──► trajectory ──► metrics ──► records (JSON/CSV on disk)
+//!              ▲                            ▲             │
+//!           reference (closed form, ODE) ───┘             ├──► gates ──► verdicts ──► exit code, JUnit
+//!                                                         └──► report ──► PNG, HTML, Markdown
+//! ```
+//!
+//! Modules stand in the order of dependency; a test reads their `use` lines and fails on any edge that goes the
+//! other way.
+
+pub mod interrupt;
 pub mod rotation;
-pub mod schemes;
-pub mod simulate;
 pub mod regression;
+pub mod record;
+pub mod model;
+pub mod claim;
+pub mod schemes;
+pub mod reference;
+pub mod scenes;
+pub mod simulate;
+pub mod metrics;
+pub mod gates;
+pub mod campaign;
+pub mod report;
+pub mod cli;

@@ -6,6 +6,7 @@
 use std::cell::Cell;
 use std::time::Instant;
 
+use crate::interrupt;
 use crate::model::{AnyModel, Broken, Model, Snapshot};
 use crate::schemes::{self, Card, Scheme, Visitor};
 
@@ -209,6 +210,10 @@ fn run<S: Scheme, M: Model>(model: &M, plan: &Plan, store: &mut dyn FnMut(&Snaps
             }
         }
         if outcome.steps == plan.steps || outcome.broken.is_some() {
+            break;
+        }
+        if interrupt::requested() {
+            outcome.broken = broke(outcome.steps + 1, Broken::Interrupted);
             break;
         }
         let stored_next = (outcome.steps / every + 1).saturating_mul(every);

@@ -51,6 +51,9 @@ pub enum Broken {
         /// |L| [kg m²/s].
         length: f64,
     },
+    /// The user asked for the end.
+    #[error("interrupted")]
+    Interrupted,
     /// I Ω = L has no solution.
     #[error("the inertia summed over the points is singular: I Ω = L has no solution")]
     Singular,

@@ -1,0 +1,96 @@
+//! One scheme in one scene: everything that is measured, then judged, as rows.
+
+use super::rows;
+use crate::gates::{self, Baseline, Case};
+use crate::metrics::{self, EnergyDrift, Evidence, FlipFinder};
+use crate::model::Snapshot;
+use crate::record::{Drift, Measurement, Order, Series, Verdict};
+use crate::reference::{Reference, dop853};
+use crate::rotation;
+use crate::scenes::Scene;
+use crate::simulate::{Contestant, Plan};
+
+/// Intervals of the reference's flips: fine enough for cubic interpolation to 1e-9 of the duration.
+const FLIP_SAMPLES: u32 = 4096;
+/// States of a series.
+const SERIES_SAMPLES: u64 = 512;
+/// Rung of the ladder, from the coarsest, whose run is drawn against time.
+const SERIES_RUNG: usize = 2;
+
+/// The rows of a cell.
+pub(super) struct Cell {
+    pub(super) measurements: Vec<Measurement>,
+    pub(super) orders: Vec<Order>,
+    pub(super) drifts: Vec<Drift>,
+    pub(super) verdicts: Vec<Verdict>,
+    pub(super) series: Vec<Series>,
+    /// Difference from the point form, and how many times the point form's step costs.
+    pub(super) reduction: Option<(f64, Option<f64>)>,
+}
+
+pub(super) fn measure(
+    scene: &Scene,
+    reference: &Reference,
+    contestant: &Contestant,
+    baseline: &Baseline,
+    series: bool,
+) -> Cell {
+    let system = &scene.system;
+    let fastest = fastest(reference);
+    let evidence = metrics::climb(contestant, system, reference, contestant.card.order());
+    let drift = metrics::energy_drift(contestant, system, scene.duration);
+    let points = metrics::point_run(contestant, system, scene.duration, fastest);
+    let flips = true_flips(scene, fastest)
+        .and_then(|truth| metrics::flips(contestant, system, scene.duration, fastest, truth));
+    let case = Case {
+        scene: &scene.name,
+        not_for_order: scene.not_for_order.as_deref(),
+        system,
+        card: &contestant.card,
+        evidence: &evidence,
+        drift: drift.as_ref(),
+        points: points.as_ref(),
+        flips: flips.as_ref(),
+        baseline,
+    };
+    let verdicts = gates::judge(&case);
+    let names = rows::Names { scene: &scene.name, scheme: contestant.card.name, model: evidence.model };
+    let mut measurements = rows::measurements(&names, &evidence);
+    measurements.extend(drift.iter().flat_map(|drift| rows::drift_rates(&names, drift)));
+    Cell {
+        measurements,
+        orders: rows::orders(&names, &evidence),
+        drifts: drifts(&names, drift.as_ref()),
+        verdicts,
+        series: if series { against_time(&names, scene, contestant, &evidence) } else { Vec::new() },
+        reduction: points.as_ref().map(|points| (points.difference, points.speedup)),
+    }
+}
+
+/// Largest |Ω| of the reference [rad/s].
+fn fastest(reference: &Reference) -> f64 {
+    reference.states.iter().map(|s| rotation::length(&s.angular_velocity)).fold(0.0, f64::max)
+}
+
+/// Flip times of the reference; `None` for a body that does not tumble, or where the solver fails.
+fn true_flips(scene: &Scene, fastest: f64) -> Option<Vec<f64>> {
+    let axis = metrics::tumbling_axis(&scene.system)?;
+    let fine = FLIP_SAMPLES.max((scene.duration * fastest * 16.0).min(65536.0) as u32);
+    let times: Vec<f64> = (0..=fine).map(|j| f64::from(j) * scene.duration / f64::from(fine)).collect();
+    let states = dop853::solve(&scene.system, &times).ok()?;
+    let mut finder = FlipFinder::new(axis);
+    states.iter().for_each(|state: &Snapshot| finder.push(state));
+    Some(finder.times)
+}
+
+fn drifts(names: &rows::Names, drift: Option<&EnergyDrift>) -> Vec<Drift> {
+    drift.map(|drift| rows::drift(names, drift)).into_iter().collect()
+}
+
+/// Energy and angular momentum against time, at a step that a user might take.
+fn against_time(names: &rows::Names, scene: &Scene, contestant: &Contestant, evidence: &Evidence) -> Vec<Series> {
+    let Some(rung) = evidence.rungs.get(SERIES_RUNG) else { return Vec::new() };
+    let plan = Plan::over(scene.duration, rung.steps, SERIES_SAMPLES.min(rung.steps));
+    let run = contestant.run(&scene.system.least(), &plan);
+    rows::series(names, &scene.system, plan.step, &run.states)
+}

@@ -1,0 +1,147 @@
+//! The grid of runs: every scheme in every scene, measured first and judged second.
+//!
+//! Parallel over cells, never inside one; results are gathered by their place in the grid, so that one thread or
+//! many give the same numbers to the last bit, timings aside.
+
+mod cell;
+mod rows;
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use rayon::prelude::*;
+
+use crate::gates::{self, Baseline};
+use crate::interrupt;
+use crate::record::{Machine, Records, Ruling, SCHEMA, Verdict};
+use crate::reference::{Reference, ReferenceError, stored};
+use crate::scenes::Scene;
+use crate::simulate::Contestant;
+
+/// Samples of a reference over the run.
+const SAMPLES: usize = 64;
+
+/// What a campaign covers.
+pub struct Campaign<'a> {
+    /// Scenes, in the order of the report.
+    pub scenes: Vec<Scene>,
+    /// Schemes, in the order of the report.
+    pub contestants: Vec<Contestant>,
+    /// Error constants on record.
+    pub baseline: Baseline,
+    /// Whether to keep quantities against time, for drawing.
+    pub series: bool,
+    /// Called as (done, of all) after every piece of work.
+    pub progress: &'a (dyn Fn(usize, usize) + Sync),
+}
+
+/// A scene with the reference that its runs are compared with.
+struct Prepared<'a> {
+    scene: &'a Scene,
+    reference: Result<Reference, ReferenceError>,
+}
+
+impl Campaign<'_> {
+    /// Measures and judges the whole grid, or what there was time for.
+    pub fn run(&self) -> Records {
+        let all = self.scenes.len() * (self.contestants.len() + 1);
+        let done = AtomicUsize::new(0);
+        let tick = || (self.progress)(done.fetch_add(1, Ordering::Relaxed) + 1, all);
+        let prepared: Vec<Option<Prepared>> = self
+            .scenes
+            .par_iter()
+            .map(|scene| {
+                let prepared = (!interrupt::requested()).then(|| prepare(scene));
+                tick();
+                prepared
+            })
+            .collect();
+        let prepared: Vec<Prepared> = prepared.into_iter().flatten().collect();
+        let cells: Vec<(&Prepared, &Contestant)> =
+            prepared.iter().flat_map(|scene| self.contestants.iter().map(move |c| (scene, c))).collect();
+        let measured: Vec<Option<cell::Cell>> = cells
+            .par_iter()
+            .map(|(prepared, contestant)| {
+                let cell = if interrupt::requested() { None } else { self.cell(prepared, contestant) };
+                tick();
+                // What was running when the user asked for the end is not a whole cell.
+                cell.filter(|_| !interrupt::requested())
+            })
+            .collect();
+        self.records(&prepared, measured)
+    }
+
+    fn cell(&self, prepared: &Prepared, contestant: &Contestant) -> Option<cell::Cell> {
+        let reference = prepared.reference.as_ref().ok()?;
+        Some(cell::measure(prepared.scene, reference, contestant, &self.baseline, self.series))
+    }
+
+    fn records(&self, prepared: &[Prepared], measured: Vec<Option<cell::Cell>>) -> Records {
+        let mut records = Records {
+            schema: SCHEMA.to_owned(),
+            polhode: env!("CARGO_PKG_VERSION").to_owned(),
+            machine: machine(),
+            made_at: now(),
+            complete: !interrupt::requested(),
+            schemes: self.contestants.iter().map(|contestant| rows::scheme(&contestant.card)).collect(),
+            ..Records::default()
+        };
+        let mut cells = measured.into_iter();
+        for prepared in prepared {
+            let own: Vec<_> = cells.by_ref().take(self.contestants.len()).collect();
+            let points = own.iter().flatten().next().and_then(|cell| cell.reduction);
+            records.scenes.push(rows::scene(prepared.scene, prepared.reference.as_ref().ok(), points));
+            records.verdicts.push(judge_reference(prepared));
+            for cell in own.into_iter().flatten() {
+                records.measurements.extend(cell.measurements);
+                records.orders.extend(cell.orders);
+                records.drifts.extend(cell.drifts);
+                records.verdicts.extend(cell.verdicts);
+                records.series.extend(cell.series);
+            }
+        }
+        records
+    }
+}
+
+fn prepare(scene: &Scene) -> Prepared<'_> {
+    let solution = if scene.built_in { stored::find(&scene.name) } else { None };
+    let reference = Reference::of(&scene.system, scene.duration, SAMPLES, solution.as_ref());
+    Prepared { scene, reference }
+}
+
+fn judge_reference(prepared: &Prepared) -> Verdict {
+    let scene = prepared.scene;
+    match &prepared.reference {
+        Ok(reference) => gates::judge_reference(&scene.name, &scene.system, reference),
+        Err(error) => Verdict {
+            scene: scene.name.clone(),
+            scheme: "reference".to_owned(),
+            claim: "references-agree".to_owned(),
+            quantity: "all".to_owned(),
+            verdict: Ruling::Inconclusive,
+            detail: format!("no reference solution, so nothing was judged in this scene: {error}"),
+            ..Verdict::default()
+        },
+    }
+}
+
+/// The machine that costs are measured on.
+fn machine() -> Machine {
+    Machine {
+        os: std::env::consts::OS.to_owned(),
+        architecture: std::env::consts::ARCH.to_owned(),
+        processor: processor(),
+        threads: rayon::current_num_threads(),
+    }
+}
+
+/// The processor's name where the system tells it in a file, or nothing.
+fn processor() -> String {
+    let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let line = text.lines().find(|line| line.starts_with("model name"));
+    line.and_then(|line| line.split(':').nth(1)).map(str::trim).unwrap_or_default().to_owned()
+}
+
+fn now() -> String {
+    humantime::format_rfc3339_seconds(std::time::SystemTime::now()).to_string()
+}

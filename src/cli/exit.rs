@@ -1,0 +1,66 @@
+//! Exit codes, and what they are given for.
+
+use crate::interrupt;
+use crate::record::RecordError;
+use crate::report::ReportError;
+use crate::scenes::SceneError;
+
+/// Wrong usage.
+pub(super) const USAGE: u8 = 64;
+/// Bad input: scene, records or log file.
+const BAD_INPUT: u8 = 65;
+/// A file could not be read or written.
+const FILE: u8 = 74;
+/// Ended by Ctrl-C, as shells count it.
+pub(super) const INTERRUPTED: u8 = 130;
+
+/// Why a command could not do its work.
+#[derive(Debug, thiserror::Error)]
+pub enum Failure {
+    /// The command was not meant like that.
+    #[error("{0}")]
+    Usage(String),
+    /// A scene.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// A records file.
+    #[error(transparent)]
+    Record(#[from] RecordError),
+    /// A report.
+    #[error(transparent)]
+    Report(#[from] ReportError),
+    /// Standard output or a file while it was written.
+    #[error("{name}: {source}")]
+    Write {
+        /// The file.
+        name: String,
+        /// What the system said.
+        source: std::io::Error,
+    },
+    /// A scene that has no point form, asked for one.
+    #[error("{0}")]
+    Model(String),
+}
+
+impl Failure {
+    /// The exit code.
+    pub fn code(&self) -> u8 {
+        match self {
+            Failure::Usage(_) | Failure::Scene(SceneError::Unknown { .. }) => USAGE,
+            Failure::Scene(SceneError::Unreadable { .. }) => FILE,
+            Failure::Scene(_) | Failure::Record(RecordError::Format { .. }) | Failure::Model(_) => BAD_INPUT,
+            Failure::Record(RecordError::File { .. }) | Failure::Report(_) | Failure::Write { .. } => FILE,
+        }
+    }
+}
+
+/// The first Ctrl-C asks the work to end, so that what was measured is written; the second ends the program.
+pub(super) fn listen_to_interrupts() -> Result<(), Failure> {
+    ctrlc::set_handler(|| {
+        if interrupt::request() {
+            std::process::exit(i32::from(INTERRUPTED));
+        }
+        eprintln!("\npolhode: interrupted; writing what was measured (again to end at once)");
+    })
+    .map_err(|error| Failure::Usage(format!("Ctrl-C cannot be listened to: {error}")))
+}

@@ -1,0 +1,96 @@
+//! The command line: one file a subcommand. Data goes to stdout, talk and progress to stderr.
+
+mod exit;
+mod gate;
+mod list;
+mod report;
+mod run;
+mod select;
+
+use std::ffi::OsString;
+
+use clap::{Args, Parser, Subcommand};
+
+pub use exit::Failure;
+
+/// How accurate, how stable and how fast is a time-stepping scheme for a rigid body, and how do you know?
+#[derive(Parser)]
+#[command(name = "polhode", version, about, max_term_width = 100, after_help = EXAMPLES)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Option<Command>,
+    #[command(flatten)]
+    everywhere: Everywhere,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  polhode                                             the whole report, into reports/latest
+  polhode gate --scheme peskin-rk2                    exit code 0 only if every claim holds
+  polhode gate --scene my-body.toml --junit out.xml   your own scene, for your own CI
+  polhode run dzhanibekov --scheme peskin-rk2 --step 0.01 --format csv
+  polhode list scenes
+
+Exit codes: 0 all holds, 1 a claim failed, 2 undecided, 64 wrong usage, 65 bad input,
+69 an engine could not be run, 74 a file could not be read or written.";
+
+/// Options of every subcommand.
+#[derive(Args)]
+struct Everywhere {
+    /// Threads to use [default: all]
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    jobs: Option<u16>,
+    /// No progress and no talk on stderr
+    #[arg(long, global = true)]
+    quiet: bool,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Measure, judge and draw: records, Markdown, one HTML page and PNGs
+    Report(report::Options),
+    /// Judge every claim; the exit code says whether all hold
+    Gate(gate::Options),
+    /// Run one scheme in one scene and write its states
+    Run(run::Options),
+    /// List what there is
+    List(list::Options),
+}
+
+/// Runs the program and returns its exit code.
+pub fn main(arguments: impl IntoIterator<Item = OsString>) -> u8 {
+    let arguments = match Arguments::try_parse_from(arguments) {
+        Ok(arguments) => arguments,
+        Err(error) => {
+            let code = if error.use_stderr() { exit::USAGE } else { 0 };
+            // Nothing can be done about a terminal that takes no text.
+            let _ = error.print();
+            return code;
+        }
+    };
+    match dispatch(arguments) {
+        Ok(code) => code,
+        Err(failure) => {
+            eprintln!("polhode: {failure}");
+            failure.code()
+        }
+    }
+}
+
+fn dispatch(arguments: Arguments) -> Result<u8, Failure> {
+    let everywhere = arguments.everywhere;
+    if let Some(jobs) = everywhere.jobs {
+        rayon::ThreadPoolBuilder::new()
+            .num_threads(usize::from(jobs))
+            .build_global()
+            .map_err(|error| Failure::Usage(format!("--jobs {jobs}: {error}")))?;
+    }
+    exit::listen_to_interrupts()?;
+    let code = match arguments.command.unwrap_or(Command::Report(report::Options::default())) {
+        Command::Report(options) => report::report(&options, everywhere.quiet),
+        Command::Gate(options) => gate::gate(&options, everywhere.quiet),
+        Command::Run(options) => run::run(&options),
+        Command::List(options) => list::list(&options),
+    }?;
+    Ok(if crate::interrupt::requested() { exit::INTERRUPTED } else { code })
+}

@@ -1,0 +1,52 @@
+//! `polhode report`: measure, judge and draw.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::Failure;
+use super::gate::{measure, progress_bar};
+use super::select::Selection;
+use crate::gates::{self, Baseline};
+use crate::report;
+
+/// Options of `polhode report`.
+#[derive(Args, Clone, Debug)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Options {
+    /// Folder to write into
+    #[arg(long, value_name = "DIR", default_value = "reports/latest")]
+    out: PathBuf,
+    #[command(flatten)]
+    selection: Selection,
+    /// Every scheme in every scene
+    #[arg(long)]
+    full: bool,
+}
+
+impl Default for Options {
+    fn default() -> Options {
+        Options { out: "reports/latest".into(), selection: Selection::default(), full: false }
+    }
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  polhode report                                   into reports/latest: index.html, report.md, plots
+  polhode report --scene kovalevskaya --out top
+  polhode report --scene my-body.toml --scheme peskin-rk2";
+
+pub(super) fn report(options: &Options, quiet: bool) -> Result<u8, Failure> {
+    let records = measure(&options.selection, Baseline::built_in(), true, quiet)?;
+    let bar = progress_bar(quiet, "drawing");
+    report::write(&records, &options.out, &|done, all| {
+        bar.set_length(all as u64);
+        bar.set_position(done as u64);
+    })?;
+    bar.finish_and_clear();
+    super::run::print(&report::text::verdict_table(&records, false))?;
+    if !quiet {
+        eprintln!("polhode: the report is {}", options.out.join("index.html").display());
+    }
+    Ok(gates::exit_code(&records.verdicts))
+}

@@ -1,0 +1,221 @@
+//! `polhode run`: one scheme, one scene, its states.
+
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+use serde_json::json;
+
+use super::Failure;
+use super::select;
+use crate::model::{AnyModel, Snapshot, System};
+use crate::record;
+use crate::scenes::Scene;
+use crate::simulate::{Outcome, Plan};
+
+/// Options of `polhode run`.
+#[derive(Args, Clone, Debug)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Options {
+    /// Built-in name or TOML file
+    scene: String,
+    /// Scheme
+    #[arg(long, value_name = "S")]
+    scheme: String,
+    /// Time step [s]; must divide the duration
+    #[arg(long, value_name = "H", required_unless_present = "steps", conflicts_with = "steps")]
+    step: Option<f64>,
+    /// Number of equal steps
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    steps: Option<u64>,
+    /// Duration [s] instead of the scene's own
+    #[arg(long, value_name = "T")]
+    duration: Option<f64>,
+    /// Write every K-th state, besides the first and the last
+    #[arg(long, value_name = "K", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
+    every: u64,
+    /// The least model that determines the motion, or every mass point
+    #[arg(long, value_enum, default_value_t = ModelChoice::Least)]
+    model: ModelChoice,
+    /// Format of the states
+    #[arg(long, value_enum, default_value_t = Format::Json)]
+    format: Format,
+    /// File to write instead of stdout
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  polhode run dzhanibekov --scheme peskin-rk2 --step 0.01 --every 10
+  polhode run my-body.toml --scheme euler --steps 1000 --format csv --out run.csv
+  polhode run kovalevskaya --scheme peskin-rk2 --steps 600 --model points";
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum ModelChoice {
+    Least,
+    Points,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Format {
+    Json,
+    Csv,
+}
+
+pub(super) fn run(options: &Options) -> Result<u8, Failure> {
+    let contestant = select::contestant(&options.scheme)?;
+    let scene = Scene::find(&options.scene)?;
+    let plan = plan(options, scene.duration)?;
+    let model = match options.model {
+        ModelChoice::Least => scene.system.least(),
+        ModelChoice::Points => scene.system.points().map_err(|error| Failure::Model(format!("{}: {error}", scene.name)))?,
+    };
+    let mut written = Vec::new();
+    let mut sink: Box<dyn Write> = match options.out {
+        Some(_) => Box::new(&mut written),
+        None => Box::new(BufWriter::new(io::stdout().lock())),
+    };
+    let fail = |source| Failure::Write { name: "stdout".to_owned(), source };
+    let mut writer = StateWriter { sink: &mut sink, system: &scene.system, plan, count: 0, failed: None, format: options.format };
+    writer.open(&scene.name, contestant.card.name, &model).map_err(fail)?;
+    let outcome = contestant.stream(&model, &plan, &mut |snapshot| writer.push(snapshot));
+    writer.close(&outcome).map_err(fail)?;
+    drop(sink);
+    if let Some(path) = &options.out {
+        record::write_whole(Path::new(path), &written)?;
+    }
+    if let Some(broken) = &outcome.broken {
+        eprintln!("polhode: {} in {}: {broken}", contestant.card.name, scene.name);
+    }
+    Ok(u8::from(outcome.broken.is_some()))
+}
+
+/// The steps of a run: H must divide the duration to rounding.
+fn plan(options: &Options, own_duration: f64) -> Result<Plan, Failure> {
+    let duration = options.duration.unwrap_or(own_duration);
+    if !(duration > 0.0 && duration.is_finite()) {
+        return Err(Failure::Usage(format!("--duration {duration}: expected a positive number of seconds")));
+    }
+    let steps = match (options.steps, options.step) {
+        (Some(steps), _) => steps,
+        (None, Some(step)) => steps_of(step, duration)?,
+        (None, None) => return Err(Failure::Usage("one of --step and --steps is needed".to_owned())),
+    };
+    Ok(Plan { step: duration / steps as f64, steps, every: options.every })
+}
+
+fn steps_of(step: f64, duration: f64) -> Result<u64, Failure> {
+    if !(step > 0.0 && step.is_finite()) {
+        return Err(Failure::Usage(format!("--step {step}: expected a positive number of seconds")));
+    }
+    let ratio = duration / step;
+    if ratio > 1e15 {
+        return Err(Failure::Usage(format!("--step {step}: {ratio:e} steps are too many")));
+    }
+    let nearest = ratio.round();
+    if nearest >= 1.0 && (ratio - nearest).abs() <= 1e-9 * nearest {
+        return Ok(nearest as u64);
+    }
+    let (fewer, more) = (ratio.floor().max(1.0), ratio.ceil().max(1.0));
+    let nearby = if fewer == more {
+        format!("--step {}", duration / fewer)
+    } else {
+        format!("--step {} ({fewer} steps) or --step {} ({more} steps)", duration / fewer, duration / more)
+    };
+    Err(Failure::Usage(format!("--step {step} does not divide the duration of {duration} s; the nearest that do: {nearby}")))
+}
+
+/// Writes states as they come.
+struct StateWriter<'a> {
+    sink: &'a mut dyn Write,
+    system: &'a System,
+    plan: Plan,
+    count: u64,
+    failed: Option<io::Error>,
+    format: Format,
+}
+
+const CSV_HEADER: &str =
+    "step,t,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz,lx,ly,lz,kinetic_energy_j,potential_energy_j";
+
+impl StateWriter<'_> {
+    fn open(&mut self, scene: &str, scheme: &str, model: &AnyModel) -> io::Result<()> {
+        match self.format {
+            Format::Csv => writeln!(self.sink, "{CSV_HEADER}"),
+            Format::Json => write!(
+                self.sink,
+                "{{\n  \"schema\": \"polhode/run/1\",\n  \"scene\": {},\n  \"scheme\": {},\n  \"model\": {},\n  \"step_s\": {},\n  \"states\": [",
+                json!(scene), json!(scheme), json!(model.name()), json!(self.plan.step)
+            ),
+        }
+    }
+
+    /// Takes a state; a sink that fails is told about at the end.
+    fn push(&mut self, snapshot: &Snapshot) {
+        if self.failed.is_none()
+            && let Err(error) = self.write(snapshot)
+        {
+            self.failed = Some(error);
+            crate::interrupt::request();
+        }
+        self.count += 1;
+    }
+
+    fn write(&mut self, s: &Snapshot) -> io::Result<()> {
+        let step = (s.time / self.plan.step).round() as u64;
+        let q = s.orientation.quaternion();
+        let kinetic = self.system.kinetic_energy(s);
+        let potential = self.system.potential_energy(s);
+        match self.format {
+            Format::Csv => {
+                write!(self.sink, "{step},{}", s.time)?;
+                let attitude = [q.w, q.i, q.j, q.k];
+                let vectors = [&s.velocity, &s.angular_velocity, &s.angular_momentum];
+                let numbers = s.position.iter().chain(&attitude).chain(vectors.into_iter().flatten());
+                for number in numbers {
+                    write!(self.sink, ",{number}")?;
+                }
+                writeln!(self.sink, ",{kinetic},{}", potential.map_or(String::new(), |p| p.to_string()))
+            }
+            Format::Json => {
+                let state = json!({
+                    "step": step,
+                    "time_s": s.time,
+                    "position_m": s.position.as_slice(),
+                    "velocity_m_s": s.velocity.as_slice(),
+                    "orientation_wxyz": [q.w, q.i, q.j, q.k],
+                    "angular_velocity_rad_s": s.angular_velocity.as_slice(),
+                    "angular_momentum_kg_m2_s": s.angular_momentum.as_slice(),
+                    "kinetic_energy_j": kinetic,
+                    "potential_energy_j": potential,
+                });
+                write!(self.sink, "{}\n    {state}", if self.count == 0 { "" } else { "," })
+            }
+        }
+    }
+
+    fn close(&mut self, outcome: &Outcome) -> io::Result<()> {
+        if let Some(error) = self.failed.take() {
+            return Err(error);
+        }
+        if let Format::Json = self.format {
+            let status = if outcome.broken.is_some() { "broken" } else { "ok" };
+            let why = outcome.broken.as_ref().map(ToString::to_string);
+            writeln!(
+                self.sink,
+                "\n  ],\n  \"steps\": {},\n  \"status\": {},\n  \"why\": {},\n  \"force_evaluations\": {}\n}}",
+                outcome.steps, json!(status), json!(why), outcome.evaluations
+            )?;
+        }
+        self.sink.flush()
+    }
+}
+
+/// Writes text to stdout. A reader that has gone away, as `head` does, is no failure.
+pub(super) fn print(text: &str) -> Result<(), Failure> {
+    match io::stdout().lock().write_all(text.as_bytes()) {
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+        other => other.map_err(|source| Failure::Write { name: "stdout".to_owned(), source }),
+    }
+}

@@ -1,0 +1,48 @@
+//! From names on the command line to scenes and schemes.
+
+use clap::Args;
+
+use super::Failure;
+use crate::scenes::{self, Scene};
+use crate::simulate::Contestant;
+
+/// Which schemes and scenes.
+#[derive(Args, Clone, Debug, Default)]
+pub(super) struct Selection {
+    /// Scheme to measure; may be given several times [default: all]
+    #[arg(long = "scheme", value_name = "S")]
+    schemes: Vec<String>,
+    /// Scene to measure in: a built-in name or a TOML file; may be given several times [default: all built-in]
+    #[arg(long = "scene", value_name = "X")]
+    scenes: Vec<String>,
+}
+
+impl Selection {
+    pub(super) fn contestants(&self) -> Result<Vec<Contestant>, Failure> {
+        if self.schemes.is_empty() {
+            return Ok(Contestant::all());
+        }
+        self.schemes.iter().map(|name| contestant(name)).collect()
+    }
+
+    pub(super) fn scenes(&self) -> Result<Vec<Scene>, Failure> {
+        if self.scenes.is_empty() {
+            return Ok(scenes::built_in());
+        }
+        Ok(self.scenes.iter().map(|name| Scene::find(name)).collect::<Result<_, _>>()?)
+    }
+}
+
+/// The scheme of a name.
+pub(super) fn contestant(name: &str) -> Result<Contestant, Failure> {
+    let all = Contestant::all();
+    let names: Vec<&str> = all.iter().map(|contestant| contestant.card.name).collect();
+    let known = names.join(", ");
+    if name.starts_with("engine:") {
+        return Err(Failure::Usage(format!("{name}: foreign engines are not part of this version; schemes: {known}")));
+    }
+    match all.iter().find(|contestant| contestant.card.name == name) {
+        Some(contestant) => Ok(contestant.clone()),
+        None => Err(Failure::Usage(format!("no scheme '{name}'; schemes: {known}"))),
+    }
+}
