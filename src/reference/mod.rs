@@ -9,17 +9,24 @@
 //!
 //! The uncertainty of a reference is what its sources disagree by, and it travels with every error.
 
+mod agreement;
 pub mod dop853;
 pub mod equations;
 pub mod run;
+pub mod stored;
 pub mod tsit45;
 pub mod units;
+
+pub use agreement::{Reference, Role, Source, Spread};
+pub use stored::{Stored, StoredError};
 
 /// A reference that cannot be had.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ReferenceError {
     /// Times that do not increase from 0 on.
-    #[error("output time {index} is {time} s after {previous} s: times must be finite and increase from 0 on")]
+    #[error(
+        "output time {index} is {time} s after {previous} s: times must be finite and increase from 0 on"
+    )]
     Times {
         /// Index of the time.
         index: usize,
@@ -47,5 +54,44 @@ pub enum ReferenceError {
         evaluations: usize,
         /// What the solver says.
         reason: String,
+    },
+    /// Times that cannot be sampled.
+    #[error(
+        "a reference needs a positive duration and a multiple of 4 samples; got {duration} s and {samples} samples"
+    )]
+    Grid {
+        /// Duration [s].
+        duration: f64,
+        /// Samples.
+        samples: usize,
+    },
+    /// No solver gives a solution, or none a second one.
+    #[error("no reference: {first}; {second}")]
+    Both {
+        /// One failure.
+        first: Box<ReferenceError>,
+        /// The other.
+        second: Box<ReferenceError>,
+    },
+    /// A stored solution that cannot be used.
+    #[error(transparent)]
+    Stored(#[from] StoredError),
+    /// A stored solution that this system does not have.
+    #[error(
+        "the stored solution of '{scene}' does not belong to this system: at t = {time} s its {quantity} differs by {difference:e} {unit}, more than {bound:e}; give a changed scene another name"
+    )]
+    OtherSystem {
+        /// Scene.
+        scene: String,
+        /// Time [s].
+        time: f64,
+        /// Quantity that differs.
+        quantity: &'static str,
+        /// Its unit.
+        unit: &'static str,
+        /// Difference.
+        difference: f64,
+        /// Largest difference that a solver's error would explain.
+        bound: f64,
     },
 }

@@ -32,11 +32,7 @@ pub trait Solver {
 ///
 /// # Errors
 /// [`ReferenceError::Times`], [`ReferenceError::NotFinite`] and [`ReferenceError::NoConvergence`].
-pub fn along<S: Solver>(
-    equations: &Equations,
-    times: &[f64],
-    solver: &mut S,
-) -> Result<Run, ReferenceError> {
+pub fn along<S: Solver>(equations: &Equations, times: &[f64], solver: &mut S) -> Result<Run, ReferenceError> {
     let mut states = Vec::with_capacity(times.len());
     let (mut state, mut reached) = (equations.start(), 0.0);
     for time in times {
