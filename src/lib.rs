@@ -3,4 +3,5 @@ pub mod claim;
 pub mod model;
 pub mod record;
 pub mod rotation;
+pub mod scenes;
 pub mod schemes;
