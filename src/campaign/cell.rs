@@ -3,7 +3,6 @@
 use super::rows;
 use crate::gates::{self, Baseline, Case};
 use crate::metrics::{self, EnergyDrift, Evidence, FlipFinder};
-use crate::model::Snapshot;
 use crate::record::{Drift, Measurement, Order, Series, Verdict};
 use crate::reference::{Reference, dop853};
 use crate::rotation;
@@ -77,9 +76,9 @@ fn true_flips(scene: &Scene, fastest: f64) -> Option<Vec<f64>> {
     let axis = metrics::tumbling_axis(&scene.system)?;
     let fine = FLIP_SAMPLES.max((scene.duration * fastest * 16.0).min(65536.0) as u32);
     let times: Vec<f64> = (0..=fine).map(|j| f64::from(j) * scene.duration / f64::from(fine)).collect();
-    let states = dop853::solve(&scene.system, &times).ok()?;
+    let run = dop853::solve(&scene.system, &times, dop853::TOLERANCE).ok()?;
     let mut finder = FlipFinder::new(axis);
-    states.iter().for_each(|state: &Snapshot| finder.push(state));
+    run.states.iter().for_each(|state| finder.push(state));
     Some(finder.times)
 }
 

@@ -104,8 +104,10 @@ impl Campaign<'_> {
 }
 
 fn prepare(scene: &Scene) -> Prepared<'_> {
-    let solution = if scene.built_in { stored::find(&scene.name) } else { None };
-    let reference = Reference::of(&scene.system, scene.duration, SAMPLES, solution.as_ref());
+    let solution = if scene.built_in { stored::find(&scene.name) } else { Ok(None) };
+    let reference = solution
+        .map_err(ReferenceError::from)
+        .and_then(|stored| Reference::of(&scene.system, scene.duration, SAMPLES, stored.as_ref()));
     Prepared { scene, reference }
 }
 

@@ -37,7 +37,7 @@ pub(super) fn scene(scene: &Scene, reference: Option<&Reference>, points: Option
             .map(|source| ReferenceRow {
                 source: source.name.clone(),
                 detail: source.detail.clone(),
-                role: source.role.clone(),
+                role: source.role.name().to_owned(),
                 disagreement_rad: source.disagreement.and_then(|d| finite(d[2])),
             })
             .collect()

@@ -54,11 +54,11 @@ pub(super) fn gate(options: &Options, quiet: bool) -> Result<u8, Failure> {
         record::write_whole(path, records.to_json().as_bytes())?;
     }
     if let Some(path) = &options.junit {
-        record::write_whole(path, report::junit::junit(&records).as_bytes())?;
+        record::write_whole(path, report::junit(&records).as_bytes())?;
     }
-    super::run::print(&report::text::verdict_table(&records, options.verbose))?;
+    super::run::print(&report::verdict_table(&records, options.verbose))?;
     if options.github {
-        super::run::print(&report::github::annotations(&records))?;
+        super::run::print(&report::annotations(&records))?;
     }
     Ok(gates::exit_code(&records.verdicts))
 }

@@ -44,7 +44,7 @@ pub(super) fn report(options: &Options, quiet: bool) -> Result<u8, Failure> {
         bar.set_position(done as u64);
     })?;
     bar.finish_and_clear();
-    super::run::print(&report::text::verdict_table(&records, false))?;
+    super::run::print(&report::verdict_table(&records, false))?;
     if !quiet {
         eprintln!("polhode: the report is {}", options.out.join("index.html").display());
     }

@@ -60,6 +60,15 @@ impl Baseline {
         Baseline { rows }
     }
 
+    /// The constants of this version, for the built-in scenes.
+    ///
+    /// # Panics
+    /// The file in the program is not a records file, which a test rules out.
+    pub fn built_in() -> Baseline {
+        let text = include_str!("../../references/constants.json");
+        Baseline::from_records(&serde_json::from_str(text).expect("references/constants.json is a records file"))
+    }
+
     /// The constant of a quantity, in its unit over sᵖ.
     pub fn constant(&self, scene: &str, scheme: &str, quantity: &str) -> Option<f64> {
         self.rows.iter().find(|r| r.0 == scene && r.1 == scheme && r.2 == quantity).map(|r| r.3)

@@ -17,7 +17,7 @@ use crate::reference::Reference;
 
 pub use drift::{Class, EnergyDrift, EnergyRung, energy_drift};
 pub use flips::{FlipFinder, FlipRung, Flips, flips, tumbling_axis};
-pub use ladder::{Evidence, Place, QuantityLadder, Rung, climb};
+pub use ladder::{BAND, Evidence, Place, QuantityLadder, Rung, climb};
 pub use points::{PointRun, point_run};
 
 /// A run and its reference at the same times.
