@@ -71,9 +71,11 @@ pub enum Ladder {
 /// Finds the asymptotic window of a ladder.
 ///
 /// `ladder` holds (step, error, floor) with the step falling. Rungs whose error is below ten times their floor
-/// are dropped, and so are broken (not finite) rungs at the coarse end. From the finest clear rung on, the first
-/// run of three or more successive pairwise slopes that agree to [`SLOPES_AGREE`] is the window; it extends
-/// towards coarser steps as long as they agree, up to [`MOST_RUNGS`] rungs.
+/// are dropped, and so are broken (not finite) rungs at the coarse end. The window is a run of three or more
+/// successive pairwise slopes that agree to [`SLOPES_AGREE`]; it extends towards coarser steps as long as they
+/// agree, up to [`MOST_RUNGS`] rungs. It ends at the finest clear rung: slopes that have settled at coarse steps
+/// and change again are no asymptotic range. Only rungs below a hundred times their floor, whose slopes the
+/// floor may bend, are passed over.
 pub fn find_window(ladder: &[(f64, f64, f64)]) -> Ladder {
     if ladder.last().is_none_or(|(_, e, floor)| !(e.is_finite() && floor.is_finite())) {
         return Ladder::Broken;
@@ -91,7 +93,8 @@ pub fn find_window(ladder: &[(f64, f64, f64)]) -> Ladder {
     let start = start + first_clear;
     let points: Vec<(f64, f64)> = ladder[start..start + clear].iter().map(|r| (r.0, r.1)).collect();
     let slopes: Vec<f64> = points.windows(2).map(|w| (w[0].1 / w[1].1).ln() / (w[0].0 / w[1].0).ln()).collect();
-    for last in (FEWEST_SLOPES..=slopes.len()).rev() {
+    let sure = points.iter().zip(&ladder[start..]).rposition(|(p, rung)| p.1 >= 100.0 * rung.2).unwrap_or(0);
+    for last in (FEWEST_SLOPES.max(sure.min(slopes.len()))..=slopes.len()).rev() {
         let mut first = last;
         let (mut lowest, mut highest) = (f64::INFINITY, f64::NEG_INFINITY);
         while first > 0 && last - first + 1 < MOST_RUNGS {

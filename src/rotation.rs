@@ -39,6 +39,17 @@ pub fn turn(v: &Vector3<f64>) -> Rotation {
     Rotation::new_unchecked(Quaternion::from_parts(cosine, half * (sine / x)))
 }
 
+/// R − E for the rotation whose rotation vector is `v` [rad], without cancellation: x + (R − E) x keeps lengths
+/// far better over many small turns than R x.
+///
+/// With the quaternion (w, u) of the turn and K the matrix of u ×, R − E = s (w K + K²). With s = 2/|q|² this is
+/// exact for a quaternion of any length, so that the rounding of its norm does not stretch what is turned.
+pub fn change_of_turn(v: &Vector3<f64>) -> Matrix3<f64> {
+    let q = turn(v).into_inner();
+    let cross = q.imag().cross_matrix();
+    (cross * q.w + cross * cross) * (2.0 / q.norm_squared())
+}
+
 /// The rotation vector of `rotation` [rad], with an angle in [0, π]: the logarithm.
 pub fn vector_of(rotation: &Rotation) -> Vector3<f64> {
     let sign = if rotation.w < 0.0 { -1.0 } else { 1.0 };

@@ -8,11 +8,39 @@ struct Deviation {
     scene: &'static str,
     scheme: &'static str,
     claim: &'static str,
-    quantity: &'static str,
+    quantities: &'static [&'static str],
     reason: &'static str,
 }
 
-const KNOWN: &[Deviation] = &[];
+/// What an order of the rotation is read from.
+const ROTATION: &[&str] = &[
+    "orientation-end",
+    "orientation-max",
+    "angular-velocity-end",
+    "angular-velocity-max",
+    "body-point-end",
+    "body-point-max",
+];
+
+const ENERGY_RATE: &[&str] = &["rotational-energy-rate"];
+
+const SATURATED: &str = "over so many turns the error of a first-order rule is as large as the motion itself at every step that \
+     the ladder can afford (a million steps): no order can be read";
+
+const NEVER_STEADY: &str = "a first-order rule gains energy so fast that its rate changes within a hundred radians, or within \
+     sixteen polhode periods, at every step that the long runs can afford (four million steps)";
+
+const KNOWN: &[Deviation] = &[
+    Deviation { scene: "mujoco-fast-spin", scheme: "euler", claim: "order", quantities: ROTATION, reason: SATURATED },
+    Deviation { scene: "thin-body", scheme: "euler", claim: "order", quantities: ROTATION, reason: SATURATED },
+    Deviation { scene: "free-asymmetric", scheme: "euler", claim: "energy", quantities: ENERGY_RATE, reason: NEVER_STEADY },
+    Deviation { scene: "dzhanibekov", scheme: "euler", claim: "energy", quantities: ENERGY_RATE, reason: NEVER_STEADY },
+    Deviation { scene: "mujoco-fast-spin", scheme: "euler", claim: "energy", quantities: ENERGY_RATE, reason: NEVER_STEADY },
+    Deviation { scene: "mujoco-middle-axis", scheme: "euler", claim: "energy", quantities: ENERGY_RATE, reason: NEVER_STEADY },
+    Deviation { scene: "jsbsim-rotations", scheme: "euler", claim: "energy", quantities: ENERGY_RATE, reason: NEVER_STEADY },
+    Deviation { scene: "osrf-boxes-complex", scheme: "euler", claim: "energy", quantities: ENERGY_RATE, reason: NEVER_STEADY },
+    Deviation { scene: "thin-body", scheme: "euler", claim: "energy", quantities: ENERGY_RATE, reason: NEVER_STEADY },
+];
 
 pub(super) fn apply(verdicts: &mut [Verdict]) {
     for verdict in verdicts {
@@ -20,7 +48,7 @@ pub(super) fn apply(verdicts: &mut [Verdict]) {
             known.scene == verdict.scene
                 && known.scheme == verdict.scheme
                 && known.claim == verdict.claim
-                && known.quantity == verdict.quantity
+                && known.quantities.contains(&verdict.quantity.as_str())
         });
         let Some(known) = known else { continue };
         match verdict.verdict {

@@ -8,7 +8,7 @@ use crate::record::{Ruling, Verdict};
 pub(super) fn judge(case: &Case, claim: EnergyOfFreeBody) -> Vec<Verdict> {
     let EnergyOfFreeBody::GrowsSecularly { rate_order } = claim;
     let Some(drift) = case.drift else {
-        let detail = "the body is not free of torque, does not turn, or its long runs broke";
+        let detail = "the body is not free of torque, does not turn, or is too near the separatrix for many periods";
         return vec![ruled(case, "energy", "rotational-energy", Ruling::NotApplicable, detail)];
     };
     let most = drift.rungs.iter().map(|r| r.of_largest).fold(0.0, f64::max);

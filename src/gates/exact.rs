@@ -3,13 +3,14 @@
 
 use super::{Case, applies, at_most, ruled};
 use crate::claim::{Quantity, When};
-use crate::metrics::{Place, QuantityLadder};
+use crate::metrics::{Place, PointRun, QuantityLadder};
 use crate::record::{Ruling, Verdict};
 use crate::regression::Ladder;
 
-/// Relative change of L that n steps of the point form may leave: the rounding of Σ X̃_k × F_k each step.
-fn momentum_rounding(steps: u64) -> f64 {
-    f64::EPSILON * (8.0 + 4.0 * (steps as f64).sqrt())
+/// Relative change of L that n steps of the point form may leave: the rounding of L + h τ in each, and that of
+/// Σ X̃_k × F_k, which has the same sign for as long as the body hardly turns.
+fn momentum_rounding(points: &PointRun) -> f64 {
+    f64::EPSILON * (8.0 + 4.0 * (points.steps as f64).sqrt()) + 4.0 * points.torque_rounding
 }
 
 pub(super) fn judge(case: &Case, quantity: Quantity, when: When) -> Vec<Verdict> {
@@ -29,7 +30,7 @@ pub(super) fn judge(case: &Case, quantity: Quantity, when: When) -> Vec<Verdict>
         && let Some(points) = case.points
         && let Some(change) = points.momentum_change
     {
-        let bound = momentum_rounding(points.steps);
+        let bound = momentum_rounding(points);
         let detail = format!("relative change of L in {} steps of the point form: {change:.2e} ≤ {bound:.2e}", points.steps);
         verdicts.push(at_most(case, "exact", "angular-momentum-points", change, bound, detail));
     }

@@ -1,19 +1,32 @@
 //! Drift of the rotational energy of a body that no torque turns: how far, how fast, and how that depends on h.
 //!
-//! E = ½ Ω·L with L exact. A scheme's energy error is an oscillation, bounded and of the scheme's order, on top
-//! of a secular part whose rate has an order of its own; only long runs tell them apart.
+//! E = ½ Ω·L with L exact. A scheme's energy error is an oscillation with the polhode's period, bounded and of the
+//! scheme's order, on top of a secular part whose rate has an order of its own; only runs over many periods
+//! tell them apart, and only steps so small that the rate stays what it was at the start.
 
 use crate::model::System;
+use crate::model::body::Shape;
+use crate::model::forces::Forces;
 use crate::regression::{self, Fit, Ladder};
 use crate::rotation;
 use crate::simulate::{Contestant, Plan};
 
-/// Steps of h: from this turn a step [rad] …
+/// Largest step, in radians turned.
 const COARSEST_TURN: f64 = 0.1;
-/// … over this many halvings.
-const RUNGS: i32 = 8;
-/// Shortest run, in radians turned.
+/// Ratio of successive steps once the rate is steady.
+const RATIO: f64 = std::f64::consts::SQRT_2;
+/// Rungs with a steady rate.
+const RUNGS: usize = 6;
+/// Difference of the rates over the first and last two thirds of a run, over the rate, below which it is steady.
+const STEADY: f64 = 0.04;
+/// Shortest run, in radians turned …
 const SHORTEST: f64 = 100.0;
+/// … in polhode periods, …
+const PERIODS: f64 = 16.0;
+/// … and the longest, in radians turned: what tumbles more slowly is not measured.
+const LONGEST: f64 = 4000.0;
+/// Most steps of all runs together.
+const MOST_STEPS: u64 = 4_000_000;
 /// Samples of a run.
 const SAMPLES: u64 = 512;
 
@@ -79,66 +92,76 @@ pub struct EnergyDrift {
     pub shown: usize,
 }
 
-/// Measures the drift; `None` for a body under torque, without spin, or that breaks.
+/// Measures the drift; `None` for a body under torque, without spin, too near the separatrix for many periods, or
+/// that breaks.
 pub fn energy_drift(contestant: &Contestant, system: &System, duration: f64) -> Option<EnergyDrift> {
     let mut rotor = system.clone();
     if !system.torque_free() {
         return None;
     }
-    rotor.forces = crate::model::forces::Forces::default();
-    let model = rotor.least();
-    let spin = rotation::length(&(rotor.body.inverse_inertia() * rotor.start.orientation.inverse_transform_vector(&rotor.start.angular_momentum)));
-    if spin == 0.0 {
+    rotor.forces = Forces::default();
+    let momentum = rotor.start.orientation.inverse_transform_vector(&rotor.start.angular_momentum);
+    let spin = rotation::length(&(rotor.body.inverse_inertia() * momentum));
+    let periods = PERIODS * polhode_period(&rotor).unwrap_or(0.0);
+    let long = periods.max(SHORTEST / spin).max(duration.min(LONGEST / spin));
+    if spin == 0.0 || long * spin > LONGEST {
         return None;
     }
-    let long = duration.max(SHORTEST / spin);
-    let mut rungs = Vec::new();
-    for halvings in 0..RUNGS {
-        let fewest = (long * spin / COARSEST_TURN * 2f64.powi(halvings)).ceil() as u64;
-        let steps = fewest.div_ceil(SAMPLES) * SAMPLES;
-        let plan = Plan::over(long, steps, SAMPLES);
-        let run = contestant.run(&model, &plan);
-        if run.outcome.broken.is_some() {
-            return None;
+    let (mut rungs, mut steady, mut taken) = (Vec::<EnergyRung>::new(), 0, 0);
+    let mut turn = COARSEST_TURN;
+    while steady < RUNGS {
+        let steps = ((long * spin / turn).ceil() as u64).div_ceil(SAMPLES) * SAMPLES;
+        taken += steps;
+        if taken > MOST_STEPS {
+            break;
         }
-        let time: Vec<f64> = run.states.iter().map(|s| s.time).collect();
-        let energy: Vec<f64> = run.states.iter().map(|s| rotor.rotational_energy(s)).collect();
-        rungs.push(rung(&rotor, &plan, &time, &energy, run.outcome.evaluations)?);
+        let rung = run_rung(contestant, &rotor, long, steps)?;
+        let exact = rung.level <= 10.0 * rung.rounding;
+        let is_steady = exact || rung.uncertainty <= STEADY * rung.rate.abs();
+        steady = if is_steady { steady + 1 } else { 0 };
+        turn /= if is_steady { RATIO } else { 2.0 };
+        rungs.push(rung);
     }
-    Some(classify(rungs, long))
+    if rungs.is_empty() { None } else { Some(classify(rungs, steady, long)) }
 }
 
-fn rung(system: &System, plan: &Plan, time: &[f64], energy: &[f64], evaluations: u64) -> Option<EnergyRung> {
-    let first = energy[0];
-    let change: Vec<f64> = energy.iter().map(|e| (e - first) / first).collect();
+fn run_rung(contestant: &Contestant, rotor: &System, long: f64, steps: u64) -> Option<EnergyRung> {
+    let plan = Plan::over(long, steps, SAMPLES);
+    let run = contestant.run(&rotor.least(), &plan);
+    if run.outcome.broken.is_some() {
+        return None;
+    }
+    let time: Vec<f64> = run.states.iter().map(|s| s.time).collect();
+    let energy: Vec<f64> = run.states.iter().map(|s| rotor.rotational_energy(s)).collect();
+    let change: Vec<f64> = energy.iter().map(|e| (e - energy[0]) / energy[0]).collect();
     let third = time.len() / 3;
-    let rate = regression::secular_rate(time, &change)?;
+    let rate = regression::secular_rate(&time, &change)?;
     let early = regression::secular_rate(&time[..2 * third], &change[..2 * third])?;
     let late = regression::secular_rate(&time[third..], &change[third..])?;
-    let smallest = system.body.moments.iter().copied().filter(|moment| *moment > 0.0).fold(f64::INFINITY, f64::min);
-    let most = rotation::length(&system.start.angular_momentum).powi(2) / (2.0 * smallest);
+    let smallest = rotor.body.moments.iter().copied().filter(|m| *m > 0.0).fold(f64::INFINITY, f64::min);
+    let most = rotation::length(&rotor.start.angular_momentum).powi(2) / (2.0 * smallest);
     Some(EnergyRung {
         step: plan.step,
-        steps: plan.steps,
+        steps,
         rate,
         uncertainty: (early - late).abs(),
         level: change.iter().map(|c| c.abs()).fold(0.0, super::larger),
         of_largest: energy.iter().copied().fold(0.0, super::larger) / most,
-        rounding: 4.0 * f64::EPSILON * (plan.steps as f64).sqrt(),
-        evaluations,
+        rounding: 4.0 * f64::EPSILON * (steps as f64).sqrt(),
+        evaluations: run.outcome.evaluations,
     })
 }
 
-fn classify(rungs: Vec<EnergyRung>, long: f64) -> EnergyDrift {
-    // A rate counts as clear at ten times its floor, so at three times its uncertainty.
+fn classify(rungs: Vec<EnergyRung>, steady: usize, long: f64) -> EnergyDrift {
+    // A rate counts as clear at ten times its floor: at three times its uncertainty.
     let ladder: Vec<_> = rungs
         .iter()
         .map(|r| (r.step, r.rate.abs(), (0.3 * r.uncertainty).max(r.rounding / long)))
         .collect();
     let shown = ladder.iter().rposition(|(_, rate, floor)| *rate > 10.0 * floor).unwrap_or(rungs.len() - 1);
-    let fine = &rungs[rungs.len() / 2..];
+    let fine = &rungs[rungs.len() - steady.max(1)..];
     let bounded = fine.iter().all(|r| (r.rate * long).abs() < 0.1 * r.level);
-    let (class, order) = match regression::find_window(&ladder) {
+    let (class, order) = match regression::find_window(&ladder[rungs.len() - steady.max(1)..]) {
         _ if rungs.iter().all(|r| r.level <= 10.0 * r.rounding) => (Class::Exact, None),
         _ if fine.iter().any(|r| r.level > 1e3) => (Class::Growing, None),
         Ladder::Window { fit, .. } => (Class::Secular, Some(fit)),
@@ -146,4 +169,35 @@ fn classify(rungs: Vec<EnergyRung>, long: f64) -> EnergyDrift {
         _ => (Class::Undecided, None),
     };
     EnergyDrift { rungs, class, order, shown }
+}
+
+/// Period of Ω in body axes [s], 4 K(k)/λ, for three different moments; `None` where Ω is steady or turns evenly.
+///
+/// With moments A < B < C and L² > 2 E B: λ² = (C − B)(L² − 2 E A)/(A B C) and
+/// k² = (B − A)(2 E C − L²)/((C − B)(L² − 2 E A)); otherwise A and C change places. K by the arithmetic-geometric
+/// mean. Infinite on the separatrix, L² = 2 E B.
+fn polhode_period(system: &System) -> Option<f64> {
+    let body = &system.body;
+    if body.shape != Shape::Extended || system.steady_spin() {
+        return None;
+    }
+    let mut moments = [body.moments[0], body.moments[1], body.moments[2]];
+    moments.sort_by(f64::total_cmp);
+    let [mut a, b, mut c] = moments;
+    if b - a <= 1e-9 * c || c - b <= 1e-9 * c {
+        return None;
+    }
+    let momentum = (system.start.orientation * body.principal).inverse_transform_vector(&system.start.angular_momentum);
+    let squared = momentum.norm_squared();
+    let twice_energy = momentum.component_mul(&body.inverse_moments()).dot(&momentum);
+    if squared < twice_energy * b {
+        std::mem::swap(&mut a, &mut c);
+    }
+    let lambda = ((c - b) * (squared - twice_energy * a) / (a * b * c)).sqrt();
+    let k_squared = (b - a) * (twice_energy * c - squared) / ((c - b) * (squared - twice_energy * a));
+    let (mut mean, mut geometric) = (1.0f64, (1.0 - k_squared).max(0.0).sqrt());
+    for _ in 0..40 {
+        (mean, geometric) = (0.5 * (mean + geometric), (mean * geometric).sqrt());
+    }
+    Some(2.0 * std::f64::consts::PI / (mean * lambda))
 }

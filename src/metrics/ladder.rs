@@ -7,7 +7,7 @@
 use nalgebra::Vector3;
 
 use super::{ALL, Reading, Sight, errors};
-use crate::model::{AnyModel, Quantity, Snapshot, Start, System};
+use crate::model::{AnyModel, Quantity, Snapshot, Start, System, difference};
 use crate::reference::Reference;
 use crate::regression::{self, Fit, Ladder};
 use crate::rotation;
@@ -69,6 +69,8 @@ pub struct Rung {
     pub errors: [Reading; 6],
     /// Floors of the errors.
     pub floors: [Reading; 6],
+    /// How far the run is from the one before it; NaN for the first.
+    pub moved: [Reading; 6],
     /// The other metrics, in the order of [`ALL`].
     pub readings: Vec<Option<Reading>>,
     /// Cost and end.
@@ -128,13 +130,16 @@ pub fn climb(contestant: &Contestant, system: &System, reference: &Reference, or
     }
     let growth = rounding_growth(contestant, system, reference, first * 4);
     let mut evidence = Evidence { model: model.name(), rungs: Vec::new(), ladders: Vec::new() };
+    let mut before = Vec::new();
     for index in 0..MOST_RUNGS {
         let steps = first << index;
         if steps > MOST_STEPS && index >= FEWEST_RUNGS {
             break;
         }
         let floors = floors(reference, &growth, steps, turned);
-        evidence.rungs.push(run_rung(contestant, &model, system, reference, steps, floors));
+        let (rung, states) = run_rung(contestant, &model, system, reference, steps, floors, &before);
+        evidence.rungs.push(rung);
+        before = states;
         if index + 1 >= FEWEST_RUNGS {
             evidence.ladders = ladders(&evidence.rungs, order);
             if evidence.ladders.iter().all(|ladder| settled(ladder, order)) {
@@ -158,17 +163,30 @@ fn run_rung(
     reference: &Reference,
     steps: u64,
     floors: [Reading; 6],
-) -> Rung {
+    before: &[Snapshot],
+) -> (Rung, Vec<Snapshot>) {
     let plan = plan(reference, steps);
     let Trajectory { states, outcome } = contestant.run(model, &plan);
     let nothing = Reading { end: f64::NAN, max: f64::NAN };
     let (mut measured, mut readings) = ([nothing; 6], vec![None; ALL.len()]);
+    let moved = if before.len() == states.len() { apart(system, &states, before) } else { [nothing; 6] };
     if outcome.broken.is_none() {
         let sight = Sight { system, reference, states: &states };
         measured = errors(&sight);
         readings = ALL.iter().map(|metric| metric.measure(&sight)).collect();
     }
-    Rung { step: plan.step, steps, errors: measured, floors, readings, outcome }
+    (Rung { step: plan.step, steps, errors: measured, floors, moved, readings, outcome }, states)
+}
+
+/// How far two runs are apart at the end and at most.
+fn apart(system: &System, a: &[Snapshot], b: &[Snapshot]) -> [Reading; 6] {
+    let mut readings = [Reading { end: 0.0, max: 0.0 }; 6];
+    for (a, b) in a.iter().zip(b) {
+        for (reading, value) in readings.iter_mut().zip(difference(&system.body, a, b)) {
+            *reading = Reading { end: value, max: super::larger(reading.max, value) };
+        }
+    }
+    readings
 }
 
 fn plan(reference: &Reference, steps: u64) -> Plan {
@@ -184,12 +202,25 @@ fn ladders(rungs: &[Rung], order: u32) -> Vec<QuantityLadder> {
                 .iter()
                 .map(|r| (r.step, place.of(&r.errors[index]), place.of(&r.floors[index])))
                 .collect();
-            let ladder = regression::find_window(&points);
+            let moved: Vec<f64> = rungs.iter().map(|r| place.of(&r.moved[index])).collect();
+            let ladder = doubted(regression::find_window(&points), &points, &moved, order);
             let constant = leading_constant(&points, &ladder, order);
             ladders.push(QuantityLadder { quantity, place, rungs: points, ladder, constant });
         }
     }
     ladders
+}
+
+/// A window whose slope is below the claimed order, and whose runs differ from one another by far more than a
+/// slope like that explains, is no asymptotic range: errors as large as the motion itself do not fall, yet
+/// every run goes a way of its own. (Runs that agree with one another but not with the truth stay: they
+/// converge to something wrong.)
+fn doubted(ladder: Ladder, points: &[(f64, f64, f64)], moved: &[f64], order: u32) -> Ladder {
+    let Ladder::Window { rungs, fit } = &ladder else { return ladder };
+    let (last, before) = (rungs.end - 1, rungs.end - 2);
+    let expected = (points[before].0 / points[last].0).powf(fit.slope.max(0.0)) - 1.0;
+    let doubtful = moved[last] > (3.0 * expected + 0.1) * points[last].1;
+    if fit.slope < f64::from(order) - BAND && doubtful { Ladder::Unsettled } else { ladder }
 }
 
 fn leading_constant(points: &[(f64, f64, f64)], ladder: &Ladder, order: u32) -> Option<f64> {
@@ -207,16 +238,9 @@ fn rounding_growth(contestant: &Contestant, system: &System, reference: &Referen
     for direction in 0..DIRECTIONS {
         let displaced = displaced(system, reference, direction);
         let moved = contestant.run(&displaced.least(), &plan);
-        let sight_states = moved.states.iter().zip(&undisturbed.states);
-        let mut last = [0.0; 6];
-        for (a, b) in sight_states {
-            last = crate::model::difference(&system.body, a, b);
-            for (reading, value) in growth.iter_mut().zip(last) {
-                reading.max = reading.max.max(value / DISPLACEMENT);
-            }
-        }
-        for (reading, value) in growth.iter_mut().zip(last) {
-            reading.end = reading.end.max(value / DISPLACEMENT);
+        for (reading, by) in growth.iter_mut().zip(apart(system, &moved.states, &undisturbed.states)) {
+            reading.end = reading.end.max(by.end / DISPLACEMENT);
+            reading.max = reading.max.max(by.max / DISPLACEMENT);
         }
     }
     growth

@@ -1,14 +1,15 @@
 //! The note as written, on every mass point, beside the least model: do they agree, does the body stay rigid, is
 //! L untouched, and what does the reduction save?
 
-use crate::model::{Quantity, System, difference};
+use crate::model::forces::Law;
+use crate::model::{Quantity, Snapshot, System, difference};
 use crate::rotation;
 use crate::simulate::{Contestant, Outcome, Plan};
 
 /// Steps of the comparison.
 const STEPS: u64 = 1000;
 /// Radians turned a step, at most.
-const TURN: f64 = 1.0 / 64.0;
+const TURN: f64 = 1.0 / 512.0;
 
 /// A run of the point form and what it shows.
 #[derive(Clone, Debug)]
@@ -23,6 +24,8 @@ pub struct PointRun {
     pub stretch: f64,
     /// Largest change of L over |L|, for a body that no torque turns.
     pub momentum_change: Option<f64>,
+    /// What a rounding of Σ X̃_k × F_k in every step may add to L by the end, over |L|.
+    pub torque_rounding: f64,
     /// Cost of the point form.
     pub outcome: Outcome,
     /// Cost of a step of the point form over one of the least model, from the same run.
@@ -47,6 +50,7 @@ pub fn point_run(contestant: &Contestant, system: &System, duration: f64, fastes
         change = super::larger(change, rotation::length(&(a.angular_momentum - system.start.angular_momentum)));
     }
     let momentum = rotation::length(&system.start.angular_momentum);
+    let torque_rounding = f64::EPSILON * weight_on_arms(system) * step * STEPS as f64 / momentum;
     let cost = |outcome: &Outcome| outcome.nanoseconds as f64 / outcome.steps.max(1) as f64;
     Some(PointRun {
         step,
@@ -54,14 +58,27 @@ pub fn point_run(contestant: &Contestant, system: &System, duration: f64, fastes
         difference: largest,
         stretch,
         momentum_change: (system.torque_free() && momentum > 0.0).then_some(change / momentum),
+        torque_rounding,
         speedup: (least.outcome.nanoseconds > 0).then(|| cost(&written.outcome) / cost(&least.outcome)),
         outcome: written.outcome,
     })
 }
 
+/// Σ M_k |X̃_k| |g| [N m]: the size of the torques of gravity that cancel in their sum.
+fn weight_on_arms(system: &System) -> f64 {
+    let gravity: f64 = system
+        .forces
+        .laws()
+        .iter()
+        .map(|law| if let Law::Gravity(gravity) = law { rotation::length(&gravity.acceleration) } else { 0.0 })
+        .sum();
+    let arms: f64 = system.body.points.iter().map(|p| p.mass * rotation::length(&p.position)).sum();
+    gravity * arms
+}
+
 /// What each quantity is compared with: its largest value over the run, or the body's own size.
-fn scales(system: &System, states: &[crate::model::Snapshot]) -> [f64; 6] {
-    let largest = |value: fn(&crate::model::Snapshot) -> f64| states.iter().map(value).fold(0.0, f64::max);
+fn scales(system: &System, states: &[Snapshot]) -> [f64; 6] {
+    let largest = |value: fn(&Snapshot) -> f64| states.iter().map(value).fold(0.0, f64::max);
     let extent = system.body.extent();
     let position = largest(|s| rotation::length(&s.position)).max(extent);
     let momentum = largest(|s| rotation::length(&s.angular_momentum));

@@ -157,9 +157,9 @@ impl Model for PointCloud {
     }
 
     fn advance(&self, from: &PointState, s: f64, rates: &Motion, into: &mut PointState) {
-        let turn = rotation::turn(&(rates.spin * s)).to_rotation_matrix().into_inner();
+        let change = rotation::change_of_turn(&(rates.spin * s));
         for (after, before) in into.arms.iter_mut().zip(&from.arms) {
-            *after = turn * before;
+            *after = before + change * before;
         }
         into.momentum = from.momentum + rates.torque * s;
         if self.pivot.is_none() {

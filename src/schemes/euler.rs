@@ -27,7 +27,6 @@ impl Scheme for Euler {
             Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
             Claim::Energy(EnergyOfFreeBody::GrowsSecularly { rate_order: 1 }),
             Claim::VerticalMomentum,
-            Claim::FlipTimes,
             Claim::Rigid,
             Claim::Evaluations(1),
         ],
