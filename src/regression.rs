@@ -29,7 +29,9 @@ pub struct Fit {
 /// Least-squares slope of ln e against ln h with its 95 % confidence interval, from three or more rungs with
 /// positive finite errors; `None` otherwise.
 pub fn fit_power(ladder: &[(f64, f64)]) -> Option<Fit> {
-    if ladder.len() < 3 || ladder.iter().any(|(h, e)| !(*h > 0.0 && *e > 0.0 && h.is_finite() && e.is_finite())) {
+    if ladder.len() < 3
+        || ladder.iter().any(|(h, e)| !(*h > 0.0 && *e > 0.0 && h.is_finite() && e.is_finite()))
+    {
         return None;
     }
     let count = ladder.len() as f64;
@@ -92,7 +94,8 @@ pub fn find_window(ladder: &[(f64, f64, f64)]) -> Ladder {
     }
     let start = start + first_clear;
     let points: Vec<(f64, f64)> = ladder[start..start + clear].iter().map(|r| (r.0, r.1)).collect();
-    let slopes: Vec<f64> = points.windows(2).map(|w| (w[0].1 / w[1].1).ln() / (w[0].0 / w[1].0).ln()).collect();
+    let slopes: Vec<f64> =
+        points.windows(2).map(|w| (w[0].1 / w[1].1).ln() / (w[0].0 / w[1].0).ln()).collect();
     let sure = points.iter().zip(&ladder[start..]).rposition(|(p, rung)| p.1 >= 100.0 * rung.2).unwrap_or(0);
     for last in (FEWEST_SLOPES.max(sure.min(slopes.len()))..=slopes.len()).rev() {
         let mut first = last;
@@ -164,8 +167,7 @@ mod tests {
     #[test]
     fn a_pure_power_gives_its_exponent_with_any_ratio_of_steps() {
         for ratio in [1.1f64, 1.5, 2.0, 10.0] {
-            let rungs: Vec<_> =
-                (0..6).map(|k| ratio.powi(-k)).map(|h| (h, 3.0 * h.powf(2.0), 0.0)).collect();
+            let rungs: Vec<_> = (0..6).map(|k| ratio.powi(-k)).map(|h| (h, 3.0 * h.powf(2.0), 0.0)).collect();
             let Ladder::Window { fit, .. } = find_window(&rungs) else { panic!("no window at {ratio}") };
             assert!((fit.slope - 2.0).abs() < 1e-12 && fit.high - fit.low < 1e-10);
         }

@@ -4,11 +4,16 @@
 //! t = n h, never accumulated.
 
 use std::cell::Cell;
+use std::marker::PhantomData;
 use std::time::Instant;
 
+use nalgebra::Vector3;
+
 use crate::interrupt;
-use crate::model::{AnyModel, Broken, Model, Snapshot};
-use crate::schemes::{self, Card, Scheme, Visitor};
+use crate::model::body::Shape;
+use crate::model::{AnyModel, Broken, Model, Rotational, Snapshot, System, Turning};
+use crate::rotation::Rotation;
+use crate::schemes::{self, Card, Scheme, TurningScheme, Visitor, Workspace};
 
 /// Steps between two checks that the state is finite.
 const CHECKED_EVERY: u64 = 1024;
@@ -71,12 +76,48 @@ pub struct Contestant {
     /// What the scheme says of itself.
     pub card: Card,
     run: fn(&AnyModel, &Plan, &mut dyn FnMut(&Snapshot)) -> Outcome,
+    limits: Limits,
+}
+
+/// What a scheme takes.
+#[derive(Clone, Copy, Debug)]
+struct Limits {
+    points: bool,
+    velocity_forces: bool,
+    rods: bool,
 }
 
 impl Contestant {
     /// A scheme of any crate.
     pub fn new<S: Scheme>() -> Contestant {
-        Contestant { card: S::CARD, run: run_any::<S> }
+        let limits = Limits { points: true, velocity_forces: true, rods: true };
+        Contestant { card: S::CARD, run: run_any::<S>, limits }
+    }
+
+    /// A scheme in body axes, of any crate.
+    pub fn turning<S: TurningScheme>() -> Contestant {
+        let limits = Limits { points: false, velocity_forces: S::TAKES_VELOCITY_FORCES, rods: S::TAKES_RODS };
+        Contestant { card: S::CARD, run: run_turning::<S>, limits }
+    }
+
+    /// Why the scheme cannot take a scene, if it cannot.
+    pub fn refusal(&self, system: &System) -> Option<&'static str> {
+        if !self.limits.velocity_forces && system.forces.read_velocity() {
+            return Some(
+                "a force depends on a velocity, which a splitting into kicks and drifts cannot take",
+            );
+        }
+        if !self.limits.rods && system.body.shape != Shape::Extended {
+            return Some(
+                "a moment of inertia is zero (a rod or a single point), and the scheme divides by it",
+            );
+        }
+        None
+    }
+
+    /// Whether the scheme runs on the mass points.
+    pub fn takes_points(&self) -> bool {
+        self.limits.points
     }
 
     /// The schemes of the list.
@@ -86,6 +127,9 @@ impl Contestant {
             type Output = Contestant;
             fn visit<S: Scheme>(&self) -> Contestant {
                 Contestant::new::<S>()
+            }
+            fn visit_turning<S: TurningScheme>(&self) -> Contestant {
+                Contestant::turning::<S>()
             }
         }
         schemes::visit_all(&Collect)
@@ -106,11 +150,76 @@ impl Contestant {
 
 fn run_any<S: Scheme>(model: &AnyModel, plan: &Plan, store: &mut dyn FnMut(&Snapshot)) -> Outcome {
     match model {
-        AnyModel::Free(model) => run::<S, _>(model, plan, store),
-        AnyModel::Falling(model) => run::<S, _>(model, plan, store),
-        AnyModel::Torque(model) | AnyModel::Pivot(model) => run::<S, _>(model, plan, store),
-        AnyModel::Forced(model) => run::<S, _>(model, plan, store),
-        AnyModel::Points(model) => run::<S, _>(model, plan, store),
+        AnyModel::Free(model) => run::<OnAnyModel<S>, _>(model, plan, store),
+        AnyModel::Falling(model) => run::<OnAnyModel<S>, _>(model, plan, store),
+        AnyModel::Torque(model) | AnyModel::Pivot(model) => run::<OnAnyModel<S>, _>(model, plan, store),
+        AnyModel::Forced(model) => run::<OnAnyModel<S>, _>(model, plan, store),
+        AnyModel::Points(model) => run::<OnAnyModel<S>, _>(model, plan, store),
+    }
+}
+
+fn run_turning<S: TurningScheme>(model: &AnyModel, plan: &Plan, store: &mut dyn FnMut(&Snapshot)) -> Outcome {
+    match model {
+        AnyModel::Free(model) => run::<InBodyAxes<S>, _>(model, plan, store),
+        AnyModel::Falling(model) => run::<InBodyAxes<S>, _>(model, plan, store),
+        AnyModel::Torque(model) | AnyModel::Pivot(model) => run::<InBodyAxes<S>, _>(model, plan, store),
+        AnyModel::Forced(model) => run::<InBodyAxes<S>, _>(model, plan, store),
+        AnyModel::Points(_) => Outcome {
+            steps: 0,
+            evaluations: 0,
+            nanoseconds: 0,
+            broken: Some(Break { step: 0, time: 0.0, why: Broken::NeedsAttitude }),
+        },
+    }
+}
+
+/// A step on a model: lets one loop drive schemes for every model and schemes in body axes.
+trait Step<M: Model> {
+    const STATES: usize;
+
+    fn step(
+        model: &M,
+        t: f64,
+        h: f64,
+        from: &M::State,
+        to: &mut M::State,
+        work: &mut Workspace<M>,
+    ) -> Result<(), Broken>;
+}
+
+/// A scheme for every model.
+struct OnAnyModel<S>(PhantomData<S>);
+
+impl<S: Scheme, M: Model> Step<M> for OnAnyModel<S> {
+    const STATES: usize = S::STATES;
+
+    fn step(
+        model: &M,
+        t: f64,
+        h: f64,
+        from: &M::State,
+        to: &mut M::State,
+        work: &mut Workspace<M>,
+    ) -> Result<(), Broken> {
+        S::step(model, t, h, from, to, work)
+    }
+}
+
+/// A scheme in body axes.
+struct InBodyAxes<S>(PhantomData<S>);
+
+impl<S: TurningScheme, M: Turning> Step<M> for InBodyAxes<S> {
+    const STATES: usize = S::STATES;
+
+    fn step(
+        model: &M,
+        t: f64,
+        h: f64,
+        from: &M::State,
+        to: &mut M::State,
+        work: &mut Workspace<M>,
+    ) -> Result<(), Broken> {
+        S::step(model, t, h, from, to, work)
     }
 }
 
@@ -146,6 +255,44 @@ impl<M: Model> Model for Counted<'_, M> {
     }
 }
 
+impl<M: Turning> Turning for Counted<'_, M> {
+    fn rotational(&self) -> &Rotational {
+        self.model.rotational()
+    }
+
+    fn attitude(&self, state: &M::State) -> Rotation {
+        self.model.attitude(state)
+    }
+
+    fn momentum(&self, state: &M::State) -> Vector3<f64> {
+        self.model.momentum(state)
+    }
+
+    fn place(&self, state: &mut M::State, attitude: Rotation, momentum: Vector3<f64>) {
+        self.model.place(state, attitude, momentum);
+    }
+
+    fn spin_of(&self, rates: &M::Rates) -> Vector3<f64> {
+        self.model.spin_of(rates)
+    }
+
+    fn torque_of(&self, rates: &M::Rates) -> Vector3<f64> {
+        self.model.torque_of(rates)
+    }
+
+    fn kick(&self, state: &mut M::State, s: f64, rates: &M::Rates) {
+        self.model.kick(state, s, rates);
+    }
+
+    fn drift(&self, state: &mut M::State, s: f64) {
+        self.model.drift(state, s);
+    }
+
+    fn reads_velocity(&self) -> bool {
+        self.model.reads_velocity()
+    }
+}
+
 /// The buffers of a run, made once.
 struct Stepper<'a, S, M: Model> {
     model: Counted<'a, M>,
@@ -153,16 +300,17 @@ struct Stepper<'a, S, M: Model> {
     now: M::State,
     next: M::State,
     checked: M::State,
-    stages: Vec<M::State>,
-    scheme: std::marker::PhantomData<S>,
+    checked_history: Vec<M::Rates>,
+    work: Workspace<Counted<'a, M>>,
+    scheme: PhantomData<S>,
 }
 
-impl<S: Scheme, M: Model> Stepper<'_, S, M> {
+impl<'a, S: Step<Counted<'a, M>>, M: Model> Stepper<'a, S, M> {
     /// Steps from `from` to `to`, counted from the start of the run.
     fn advance(&mut self, from: u64, to: u64) -> Result<(), (u64, Broken)> {
         for n in from..to {
             let t = n as f64 * self.step;
-            S::step(&self.model, t, self.step, &self.now, &mut self.next, &mut self.stages)
+            S::step(&self.model, t, self.step, &self.now, &mut self.next, &mut self.work)
                 .map_err(|why| (n + 1, why))?;
             std::mem::swap(&mut self.now, &mut self.next);
         }
@@ -173,11 +321,13 @@ impl<S: Scheme, M: Model> Stepper<'_, S, M> {
     /// first that was not.
     fn advance_checked(&mut self, from: u64, to: u64) -> Result<(), (u64, Broken)> {
         self.checked.clone_from(&self.now);
+        self.checked_history.clone_from(&self.work.history);
         let result = self.advance(from, to);
         if result.is_ok() && self.model.is_finite(&self.now) {
             return Ok(());
         }
         self.now.clone_from(&self.checked);
+        self.work.history.clone_from(&self.checked_history);
         for n in from..to {
             self.advance(n, n + 1)?;
             if !self.model.is_finite(&self.now) {
@@ -188,16 +338,21 @@ impl<S: Scheme, M: Model> Stepper<'_, S, M> {
     }
 }
 
-fn run<S: Scheme, M: Model>(model: &M, plan: &Plan, store: &mut dyn FnMut(&Snapshot)) -> Outcome {
+fn run<'a, S: Step<Counted<'a, M>>, M: Model>(
+    model: &'a M,
+    plan: &Plan,
+    store: &mut dyn FnMut(&Snapshot),
+) -> Outcome {
     let start = model.start();
     let mut stepper = Stepper::<S, M> {
         model: Counted { model, evaluations: Cell::new(0) },
         step: plan.step,
         next: start.clone(),
         checked: start.clone(),
-        stages: vec![start.clone(); S::STAGES],
+        checked_history: Vec::new(),
+        work: Workspace { states: vec![start.clone(); S::STATES], history: Vec::new() },
         now: start,
-        scheme: std::marker::PhantomData,
+        scheme: PhantomData,
     };
     let mut outcome = Outcome { steps: 0, evaluations: 0, nanoseconds: 0, broken: None };
     let every = plan.every.max(1);

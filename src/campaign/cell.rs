@@ -87,7 +87,12 @@ fn drifts(names: &rows::Names, drift: Option<&EnergyDrift>) -> Vec<Drift> {
 }
 
 /// Energy and angular momentum against time, at a step that a user might take.
-fn against_time(names: &rows::Names, scene: &Scene, contestant: &Contestant, evidence: &Evidence) -> Vec<Series> {
+fn against_time(
+    names: &rows::Names,
+    scene: &Scene,
+    contestant: &Contestant,
+    evidence: &Evidence,
+) -> Vec<Series> {
     let Some(rung) = evidence.rungs.get(SERIES_RUNG) else { return Vec::new() };
     let plan = Plan::over(scene.duration, rung.steps, SERIES_SAMPLES.min(rung.steps));
     let run = contestant.run(&scene.system.least(), &plan);

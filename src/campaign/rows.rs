@@ -29,7 +29,11 @@ pub(super) fn scheme(card: &Card) -> SchemeRow {
     }
 }
 
-pub(super) fn scene(scene: &Scene, reference: Option<&Reference>, points: Option<(f64, Option<f64>)>) -> SceneRow {
+pub(super) fn scene(
+    scene: &Scene,
+    reference: Option<&Reference>,
+    points: Option<(f64, Option<f64>)>,
+) -> SceneRow {
     let references = reference.map_or(Vec::new(), |reference| {
         reference
             .sources
@@ -109,8 +113,12 @@ pub(super) fn orders(names: &Names, evidence: &Evidence) -> Vec<Order> {
 fn order(names: &Names, ladder: &QuantityLadder) -> Order {
     let (status, why, used) = match &ladder.ladder {
         Ladder::Window { rungs, .. } => ("fitted", None, rungs.clone()),
-        Ladder::Exact => ("exact", Some("every rung is at the floor of rounding and reference".to_owned()), 0..0),
-        Ladder::TooFew { clear } => ("too-few", Some(format!("{clear} rungs clear of the floor, 4 needed")), 0..0),
+        Ladder::Exact => {
+            ("exact", Some("every rung is at the floor of rounding and reference".to_owned()), 0..0)
+        }
+        Ladder::TooFew { clear } => {
+            ("too-few", Some(format!("{clear} rungs clear of the floor, 4 needed")), 0..0)
+        }
         Ladder::Unsettled => ("unsettled", Some("no three successive slopes agree to 0.15".to_owned()), 0..0),
         Ladder::Broken => ("broken", Some("the finest run broke".to_owned()), 0..0),
     };
@@ -198,7 +206,11 @@ pub(super) fn series(names: &Names, system: &System, step: f64, states: &[Snapsh
         }
     };
     if rotational > 0.0 {
-        push("rotational-energy", "1", states.iter().map(|s| system.rotational_energy(s) / rotational - 1.0).collect());
+        push(
+            "rotational-energy",
+            "1",
+            states.iter().map(|s| system.rotational_energy(s) / rotational - 1.0).collect(),
+        );
     }
     if let Some(total_first) = total(first)
         && system.forces.conservative()
@@ -211,9 +223,11 @@ pub(super) fn series(names: &Names, system: &System, step: f64, states: &[Snapsh
         }
     }
     if momentum > 0.0 {
-        let magnitude = states.iter().map(|s| rotation::length(&s.angular_momentum) / momentum - 1.0).collect();
+        let magnitude =
+            states.iter().map(|s| rotation::length(&s.angular_momentum) / momentum - 1.0).collect();
         push("angular-momentum-magnitude", "1", magnitude);
-        let direction = |s: &Snapshot| rotation::angle_between_directions(&s.angular_momentum, &first.angular_momentum);
+        let direction =
+            |s: &Snapshot| rotation::angle_between_directions(&s.angular_momentum, &first.angular_momentum);
         push("angular-momentum-direction", "rad", states.iter().map(direction).collect());
     }
     rows

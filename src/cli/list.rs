@@ -34,7 +34,10 @@ pub(super) fn list(options: &Options) -> Result<u8, Failure> {
         What::Scenes => scenes(),
         What::Metrics => metrics(),
         What::Claims => claims(),
-        What::Forces => table(&["law", "formula"], Law::NAMES.map(|(name, formula)| vec![name.to_owned(), formula.to_owned()])),
+        What::Forces => table(
+            &["law", "formula"],
+            Law::NAMES.map(|(name, formula)| vec![name.to_owned(), formula.to_owned()]),
+        ),
     };
     super::run::print(&format!("{table}\n"))?;
     Ok(0)

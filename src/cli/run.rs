@@ -69,7 +69,9 @@ pub(super) fn run(options: &Options) -> Result<u8, Failure> {
     let plan = plan(options, scene.duration)?;
     let model = match options.model {
         ModelChoice::Least => scene.system.least(),
-        ModelChoice::Points => scene.system.points().map_err(|error| Failure::Model(format!("{}: {error}", scene.name)))?,
+        ModelChoice::Points => {
+            scene.system.points().map_err(|error| Failure::Model(format!("{}: {error}", scene.name)))?
+        }
     };
     let mut written = Vec::new();
     let mut sink: Box<dyn Write> = match options.out {
@@ -77,7 +79,14 @@ pub(super) fn run(options: &Options) -> Result<u8, Failure> {
         None => Box::new(BufWriter::new(io::stdout().lock())),
     };
     let fail = |source| Failure::Write { name: "stdout".to_owned(), source };
-    let mut writer = StateWriter { sink: &mut sink, system: &scene.system, plan, count: 0, failed: None, format: options.format };
+    let mut writer = StateWriter {
+        sink: &mut sink,
+        system: &scene.system,
+        plan,
+        count: 0,
+        failed: None,
+        format: options.format,
+    };
     writer.open(&scene.name, contestant.card.name, &model).map_err(fail)?;
     let outcome = contestant.stream(&model, &plan, &mut |snapshot| writer.push(snapshot));
     writer.close(&outcome).map_err(fail)?;
@@ -123,7 +132,9 @@ fn steps_of(step: f64, duration: f64) -> Result<u64, Failure> {
     } else {
         format!("--step {} ({fewer} steps) or --step {} ({more} steps)", duration / fewer, duration / more)
     };
-    Err(Failure::Usage(format!("--step {step} does not divide the duration of {duration} s; the nearest that do: {nearby}")))
+    Err(Failure::Usage(format!(
+        "--step {step} does not divide the duration of {duration} s; the nearest that do: {nearby}"
+    )))
 }
 
 /// Writes states as they come.
@@ -146,7 +157,10 @@ impl StateWriter<'_> {
             Format::Json => write!(
                 self.sink,
                 "{{\n  \"schema\": \"polhode/run/1\",\n  \"scene\": {},\n  \"scheme\": {},\n  \"model\": {},\n  \"step_s\": {},\n  \"states\": [",
-                json!(scene), json!(scheme), json!(model.name()), json!(self.plan.step)
+                json!(scene),
+                json!(scheme),
+                json!(model.name()),
+                json!(self.plan.step)
             ),
         }
     }
@@ -205,7 +219,10 @@ impl StateWriter<'_> {
             writeln!(
                 self.sink,
                 "\n  ],\n  \"steps\": {},\n  \"status\": {},\n  \"why\": {},\n  \"force_evaluations\": {}\n}}",
-                outcome.steps, json!(status), json!(why), outcome.evaluations
+                outcome.steps,
+                json!(status),
+                json!(why),
+                outcome.evaluations
             )?;
         }
         self.sink.flush()

@@ -39,7 +39,9 @@ pub(super) fn contestant(name: &str) -> Result<Contestant, Failure> {
     let names: Vec<&str> = all.iter().map(|contestant| contestant.card.name).collect();
     let known = names.join(", ");
     if name.starts_with("engine:") {
-        return Err(Failure::Usage(format!("{name}: foreign engines are not part of this version; schemes: {known}")));
+        return Err(Failure::Usage(format!(
+            "{name}: foreign engines are not part of this version; schemes: {known}"
+        )));
     }
     match all.iter().find(|contestant| contestant.card.name == name) {
         Some(contestant) => Ok(contestant.clone()),

@@ -31,15 +31,69 @@ const NEVER_STEADY: &str = "a first-order rule gains energy so fast that its rat
      sixteen polhode periods, at every step that the long runs can afford (four million steps)";
 
 const KNOWN: &[Deviation] = &[
-    Deviation { scene: "mujoco-fast-spin", scheme: "euler", claim: "order", quantities: ROTATION, reason: SATURATED },
-    Deviation { scene: "thin-body", scheme: "euler", claim: "order", quantities: ROTATION, reason: SATURATED },
-    Deviation { scene: "free-asymmetric", scheme: "euler", claim: "energy", quantities: ENERGY_RATE, reason: NEVER_STEADY },
-    Deviation { scene: "dzhanibekov", scheme: "euler", claim: "energy", quantities: ENERGY_RATE, reason: NEVER_STEADY },
-    Deviation { scene: "mujoco-fast-spin", scheme: "euler", claim: "energy", quantities: ENERGY_RATE, reason: NEVER_STEADY },
-    Deviation { scene: "mujoco-middle-axis", scheme: "euler", claim: "energy", quantities: ENERGY_RATE, reason: NEVER_STEADY },
-    Deviation { scene: "jsbsim-rotations", scheme: "euler", claim: "energy", quantities: ENERGY_RATE, reason: NEVER_STEADY },
-    Deviation { scene: "osrf-boxes-complex", scheme: "euler", claim: "energy", quantities: ENERGY_RATE, reason: NEVER_STEADY },
-    Deviation { scene: "thin-body", scheme: "euler", claim: "energy", quantities: ENERGY_RATE, reason: NEVER_STEADY },
+    Deviation {
+        scene: "mujoco-fast-spin",
+        scheme: "euler",
+        claim: "order",
+        quantities: ROTATION,
+        reason: SATURATED,
+    },
+    Deviation {
+        scene: "thin-body",
+        scheme: "euler",
+        claim: "order",
+        quantities: ROTATION,
+        reason: SATURATED,
+    },
+    Deviation {
+        scene: "free-asymmetric",
+        scheme: "euler",
+        claim: "energy",
+        quantities: ENERGY_RATE,
+        reason: NEVER_STEADY,
+    },
+    Deviation {
+        scene: "dzhanibekov",
+        scheme: "euler",
+        claim: "energy",
+        quantities: ENERGY_RATE,
+        reason: NEVER_STEADY,
+    },
+    Deviation {
+        scene: "mujoco-fast-spin",
+        scheme: "euler",
+        claim: "energy",
+        quantities: ENERGY_RATE,
+        reason: NEVER_STEADY,
+    },
+    Deviation {
+        scene: "mujoco-middle-axis",
+        scheme: "euler",
+        claim: "energy",
+        quantities: ENERGY_RATE,
+        reason: NEVER_STEADY,
+    },
+    Deviation {
+        scene: "jsbsim-rotations",
+        scheme: "euler",
+        claim: "energy",
+        quantities: ENERGY_RATE,
+        reason: NEVER_STEADY,
+    },
+    Deviation {
+        scene: "osrf-boxes-complex",
+        scheme: "euler",
+        claim: "energy",
+        quantities: ENERGY_RATE,
+        reason: NEVER_STEADY,
+    },
+    Deviation {
+        scene: "thin-body",
+        scheme: "euler",
+        claim: "energy",
+        quantities: ENERGY_RATE,
+        reason: NEVER_STEADY,
+    },
 ];
 
 pub(super) fn apply(verdicts: &mut [Verdict]) {
@@ -55,8 +109,10 @@ pub(super) fn apply(verdicts: &mut [Verdict]) {
             Ruling::Fail | Ruling::Inconclusive => verdict.known_deviation = Some(known.reason.to_owned()),
             Ruling::Pass => {
                 verdict.verdict = Ruling::Fail;
-                verdict.detail =
-                    format!("listed as a known deviation ({}), yet it holds: {}", known.reason, verdict.detail);
+                verdict.detail = format!(
+                    "listed as a known deviation ({}), yet it holds: {}",
+                    known.reason, verdict.detail
+                );
             }
             Ruling::NotApplicable | Ruling::Broken => {}
         }

@@ -8,7 +8,8 @@ use crate::record::{Ruling, Verdict};
 pub(super) fn judge(case: &Case, claim: EnergyOfFreeBody) -> Vec<Verdict> {
     let EnergyOfFreeBody::GrowsSecularly { rate_order } = claim;
     let Some(drift) = case.drift else {
-        let detail = "the body is not free of torque, does not turn, or is too near the separatrix for many periods";
+        let detail =
+            "the body is not free of torque, does not turn, or is too near the separatrix for many periods";
         return vec![ruled(case, "energy", "rotational-energy", Ruling::NotApplicable, detail)];
     };
     let most = drift.rungs.iter().map(|r| r.of_largest).fold(0.0, f64::max);
@@ -54,7 +55,9 @@ fn judge_rate(case: &Case, drift: &EnergyDrift, rate_order: u32) -> Verdict {
                 )
             }
         }
-        (Class::Growing, _) => ruled(case, "energy", name, Ruling::Fail, format!("grows without bound; {rate}")),
+        (Class::Growing, _) => {
+            ruled(case, "energy", name, Ruling::Fail, format!("grows without bound; {rate}"))
+        }
         (class, _) => {
             let detail = format!("{}: no order of the rate in h can be read; {rate}", class.word());
             ruled(case, "energy", name, Ruling::Inconclusive, detail)

@@ -6,7 +6,13 @@ use crate::record::{Ruling, Verdict};
 pub(super) fn judge(case: &Case, claimed: u32) -> Vec<Verdict> {
     let whole: Vec<_> = case.evidence.rungs.iter().filter(|rung| rung.outcome.broken.is_none()).collect();
     let Some(last) = whole.last() else {
-        return vec![ruled(case, "evaluations", "evaluations", Ruling::Broken, "every run of the ladder broke")];
+        return vec![ruled(
+            case,
+            "evaluations",
+            "evaluations",
+            Ruling::Broken,
+            "every run of the ladder broke",
+        )];
     };
     let holds = whole.iter().all(|rung| rung.outcome.evaluations == u64::from(claimed) * rung.steps);
     let verdict = if holds { Ruling::Pass } else { Ruling::Fail };
@@ -20,7 +26,10 @@ pub(super) fn judge(case: &Case, claimed: u32) -> Vec<Verdict> {
             "evaluations",
             "evaluations",
             verdict,
-            format!("{} evaluations in {} steps, {claimed} a step claimed", last.outcome.evaluations, last.steps),
+            format!(
+                "{} evaluations in {} steps, {claimed} a step claimed",
+                last.outcome.evaluations, last.steps
+            ),
         )
     }]
 }

@@ -31,7 +31,10 @@ pub(super) fn judge(case: &Case, quantity: Quantity, when: When) -> Vec<Verdict>
         && let Some(change) = points.momentum_change
     {
         let bound = momentum_rounding(points);
-        let detail = format!("relative change of L in {} steps of the point form: {change:.2e} ≤ {bound:.2e}", points.steps);
+        let detail = format!(
+            "relative change of L in {} steps of the point form: {change:.2e} ≤ {bound:.2e}",
+            points.steps
+        );
         verdicts.push(at_most(case, "exact", "angular-momentum-points", change, bound, detail));
     }
     verdicts

@@ -31,8 +31,10 @@ pub(super) fn judge(case: &Case) -> Vec<Verdict> {
 }
 
 fn judge_convergence(case: &Case, flips: &Flips, counted: usize) -> Verdict {
-    let ladder: Vec<(f64, f64)> =
-        flips.rungs[flips.rungs.len() - counted..].iter().map(|rung| (rung.step, late(flips, &rung.times))).collect();
+    let ladder: Vec<(f64, f64)> = flips.rungs[flips.rungs.len() - counted..]
+        .iter()
+        .map(|rung| (rung.step, late(flips, &rung.times)))
+        .collect();
     let (step, error) = ladder[ladder.len() - 1];
     let order = f64::from(case.card.order());
     let slope = regression::fit_power(&ladder).map(|fit| fit.slope);

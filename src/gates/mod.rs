@@ -66,7 +66,9 @@ impl Baseline {
     /// The file in the program is not a records file, which a test rules out.
     pub fn built_in() -> Baseline {
         let text = include_str!("../../references/constants.json");
-        Baseline::from_records(&serde_json::from_str(text).expect("references/constants.json is a records file"))
+        Baseline::from_records(
+            &serde_json::from_str(text).expect("references/constants.json is a records file"),
+        )
     }
 
     /// The constant of a quantity, in its unit over sᵖ.

@@ -68,7 +68,14 @@ fn judge_slope(case: &Case, order: u32, ladder: &QuantityLadder, name: &str) -> 
     }
 }
 
-fn judge_fit(case: &Case, order: u32, ladder: &QuantityLadder, fit: &Fit, rungs: usize, name: &str) -> Verdict {
+fn judge_fit(
+    case: &Case,
+    order: u32,
+    ladder: &QuantityLadder,
+    fit: &Fit,
+    rungs: usize,
+    name: &str,
+) -> Verdict {
     let (bottom, top) = (f64::from(order) - BAND, f64::from(order) + BAND);
     let (verdict, reason) = if ladder.holds(order) {
         (Ruling::Pass, "inside")

@@ -12,7 +12,8 @@ const TOO_UNCERTAIN: f64 = 1e-6;
 pub fn judge_reference(scene: &str, system: &System, reference: &Reference) -> Verdict {
     let largest = |index: usize| reference.uncertainty.iter().map(|u| u[index]).fold(0.0, f64::max);
     let extent = system.body.extent();
-    let span = |value: fn(&crate::model::Snapshot) -> f64| reference.states.iter().map(value).fold(0.0, f64::max);
+    let span =
+        |value: fn(&crate::model::Snapshot) -> f64| reference.states.iter().map(value).fold(0.0, f64::max);
     let spin = span(|s| rotation::length(&s.angular_velocity));
     let scales = Quantity::ALL.map(|quantity| match quantity {
         Quantity::Position | Quantity::BodyPoint => span(|s| rotation::length(&s.position)).max(extent),

@@ -154,10 +154,8 @@ fn run_rung(contestant: &Contestant, rotor: &System, long: f64, steps: u64) -> O
 
 fn classify(rungs: Vec<EnergyRung>, steady: usize, long: f64) -> EnergyDrift {
     // A rate counts as clear at ten times its floor: at three times its uncertainty.
-    let ladder: Vec<_> = rungs
-        .iter()
-        .map(|r| (r.step, r.rate.abs(), (0.3 * r.uncertainty).max(r.rounding / long)))
-        .collect();
+    let ladder: Vec<_> =
+        rungs.iter().map(|r| (r.step, r.rate.abs(), (0.3 * r.uncertainty).max(r.rounding / long))).collect();
     let shown = ladder.iter().rposition(|(_, rate, floor)| *rate > 10.0 * floor).unwrap_or(rungs.len() - 1);
     let fine = &rungs[rungs.len() - steady.max(1)..];
     let bounded = fine.iter().all(|r| (r.rate * long).abs() < 0.1 * r.level);
@@ -187,7 +185,8 @@ fn polhode_period(system: &System) -> Option<f64> {
     if b - a <= 1e-9 * c || c - b <= 1e-9 * c {
         return None;
     }
-    let momentum = (system.start.orientation * body.principal).inverse_transform_vector(&system.start.angular_momentum);
+    let momentum =
+        (system.start.orientation * body.principal).inverse_transform_vector(&system.start.angular_momentum);
     let squared = momentum.norm_squared();
     let twice_energy = momentum.component_mul(&body.inverse_moments()).dot(&momentum);
     if squared < twice_energy * b {

@@ -28,7 +28,9 @@ pub(super) const TOTAL: Metric = Metric {
             let potential = sight.system.potential_energy(s).unwrap_or(first);
             sight.system.kinetic_energy(s).abs().max((potential - first).abs())
         })?;
-        read(sight, |state, truth| Some((total(sight.system, state)? - total(sight.system, truth)?) / largest))
+        read(sight, |state, truth| {
+            Some((total(sight.system, state)? - total(sight.system, truth)?) / largest)
+        })
     },
 };
 

@@ -82,7 +82,8 @@ fn hermite_root(t0: f64, t1: f64, (v0, d0): (f64, f64), (v1, d1): (f64, f64)) ->
     let span = t1 - t0;
     let cubic = |x: f64| {
         let y = 1.0 - x;
-        v0 * y * y * (1.0 + 2.0 * x) + d0 * span * x * y * y + v1 * x * x * (1.0 + 2.0 * y) - d1 * span * x * x * y
+        v0 * y * y * (1.0 + 2.0 * x) + d0 * span * x * y * y + v1 * x * x * (1.0 + 2.0 * y)
+            - d1 * span * x * x * y
     };
     let (mut low, mut high) = (0.0, 1.0);
     for _ in 0..60 {
@@ -93,7 +94,13 @@ fn hermite_root(t0: f64, t1: f64, (v0, d0): (f64, f64), (v1, d1): (f64, f64)) ->
 }
 
 /// Runs a scheme at five steps and finds its flips; `truth` are those of the reference.
-pub fn flips(contestant: &Contestant, system: &System, duration: f64, fastest: f64, truth: Vec<f64>) -> Option<Flips> {
+pub fn flips(
+    contestant: &Contestant,
+    system: &System,
+    duration: f64,
+    fastest: f64,
+    truth: Vec<f64>,
+) -> Option<Flips> {
     let axis = tumbling_axis(system)?;
     let model = system.least();
     let rungs = TURNS.map(|turn| {

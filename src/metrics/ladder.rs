@@ -100,9 +100,8 @@ impl QuantityLadder {
 
     /// Whether the interval lies inside the band about `order`.
     pub fn holds(&self, order: u32) -> bool {
-        self.fit().is_some_and(|fit| {
-            fit.low >= f64::from(order) - BAND && fit.high <= f64::from(order) + BAND
-        })
+        self.fit()
+            .is_some_and(|fit| fit.low >= f64::from(order) - BAND && fit.high <= f64::from(order) + BAND)
     }
 }
 
@@ -123,7 +122,8 @@ pub fn climb(contestant: &Contestant, system: &System, reference: &Reference, or
     let model = system.least();
     let samples = reference.times.len() as u64 - 1;
     let duration = reference.times[reference.times.len() - 1];
-    let turned = reference.states.iter().map(|s| rotation::length(&s.angular_velocity)).fold(0.0, f64::max) * duration;
+    let turned =
+        reference.states.iter().map(|s| rotation::length(&s.angular_velocity)).fold(0.0, f64::max) * duration;
     let mut first = samples;
     while turned / first as f64 > COARSEST_TURN && first << FEWEST_RUNGS <= MOST_STEPS {
         first *= 2;
@@ -231,7 +231,12 @@ fn leading_constant(points: &[(f64, f64, f64)], ladder: &Ladder, order: u32) -> 
 }
 
 /// How many times larger a relative displacement of the start is at the end and at its largest, per quantity.
-fn rounding_growth(contestant: &Contestant, system: &System, reference: &Reference, steps: u64) -> [Reading; 6] {
+fn rounding_growth(
+    contestant: &Contestant,
+    system: &System,
+    reference: &Reference,
+    steps: u64,
+) -> [Reading; 6] {
     let plan = plan(reference, steps);
     let undisturbed = contestant.run(&system.least(), &plan);
     let mut growth = [Reading { end: 0.0, max: 0.0 }; 6];
@@ -250,7 +255,8 @@ fn rounding_growth(contestant: &Contestant, system: &System, reference: &Referen
 fn displaced(system: &System, reference: &Reference, direction: usize) -> System {
     let directions: [Vector3<f64>; DIRECTIONS] =
         [Vector3::new(0.36, 0.48, 0.8), Vector3::new(0.8, -0.6, 0.0), Vector3::new(-0.48, -0.64, 0.6)];
-    let along = |scale: f64, shift: usize| directions[(direction + shift) % DIRECTIONS] * (scale * DISPLACEMENT);
+    let along =
+        |scale: f64, shift: usize| directions[(direction + shift) % DIRECTIONS] * (scale * DISPLACEMENT);
     let largest = |value: fn(&Snapshot) -> f64| reference.states.iter().map(value).fold(0.0, f64::max);
     let change = Start {
         position: along(largest(|s| s.position.amax()).max(system.body.extent()), 1),

@@ -11,7 +11,10 @@ pub(super) const MAGNITUDE: Metric = Metric {
     measure: |sight: &Sight| {
         let largest = scale(sight, |s| rotation::length(&s.angular_momentum))?;
         read(sight, |state, truth| {
-            Some((rotation::length(&state.angular_momentum) - rotation::length(&truth.angular_momentum)) / largest)
+            Some(
+                (rotation::length(&state.angular_momentum) - rotation::length(&truth.angular_momentum))
+                    / largest,
+            )
         })
     },
 };

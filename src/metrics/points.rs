@@ -47,7 +47,8 @@ pub fn point_run(contestant: &Contestant, system: &System, duration: f64, fastes
         let apart = difference(&system.body, a, b);
         largest = apart.iter().zip(scales).map(|(d, scale)| d / scale).fold(largest, super::larger);
         stretch = super::larger(stretch, a.stretch);
-        change = super::larger(change, rotation::length(&(a.angular_momentum - system.start.angular_momentum)));
+        change =
+            super::larger(change, rotation::length(&(a.angular_momentum - system.start.angular_momentum)));
     }
     let momentum = rotation::length(&system.start.angular_momentum);
     let torque_rounding = f64::EPSILON * weight_on_arms(system) * step * STEPS as f64 / momentum;
@@ -70,7 +71,9 @@ fn weight_on_arms(system: &System) -> f64 {
         .forces
         .laws()
         .iter()
-        .map(|law| if let Law::Gravity(gravity) = law { rotation::length(&gravity.acceleration) } else { 0.0 })
+        .map(
+            |law| if let Law::Gravity(gravity) = law { rotation::length(&gravity.acceleration) } else { 0.0 },
+        )
         .sum();
     let arms: f64 = system.body.points.iter().map(|p| p.mass * rotation::length(&p.position)).sum();
     gravity * arms

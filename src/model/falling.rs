@@ -21,17 +21,17 @@ pub struct Falling {
 /// State of a falling body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FallingState {
-    attitude: Rotation,
-    position: Vector3<f64>,
-    velocity: Vector3<f64>,
+    pub(super) attitude: Rotation,
+    pub(super) position: Vector3<f64>,
+    pub(super) velocity: Vector3<f64>,
 }
 
 /// Rates of a falling body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FallingRates {
-    spin: Vector3<f64>,
-    velocity: Vector3<f64>,
-    acceleration: Vector3<f64>,
+    pub(super) spin: Vector3<f64>,
+    pub(super) velocity: Vector3<f64>,
+    pub(super) acceleration: Vector3<f64>,
 }
 
 impl Add for FallingRates {

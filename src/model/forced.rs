@@ -22,10 +22,10 @@ pub struct Forced {
 /// State of a forced body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ForcedState {
-    attitude: Rotation,
-    position: Vector3<f64>,
-    velocity: Vector3<f64>,
-    momentum: Vector3<f64>,
+    pub(super) attitude: Rotation,
+    pub(super) position: Vector3<f64>,
+    pub(super) velocity: Vector3<f64>,
+    pub(super) momentum: Vector3<f64>,
 }
 
 /// Ω, U_cm, F/M and τ, world.

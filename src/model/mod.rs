@@ -21,10 +21,13 @@ mod point_cloud;
 mod rotor;
 mod snapshot;
 mod system;
+mod turning;
 
 use std::ops::{Add, Mul};
 
 use nalgebra::Vector3;
+
+use crate::rotation::Rotation;
 
 pub use falling::Falling;
 pub use forced::Forced;
@@ -33,7 +36,7 @@ pub use placed::Placed;
 pub use point_cloud::PointCloud;
 pub use rotor::Rotor;
 pub use snapshot::{Quantity, Snapshot, difference};
-pub use system::{AnyModel, Spin, Start, System, SystemError};
+pub use system::{AnyModel, Rotational, Spin, Start, System, SystemError};
 
 /// A run that cannot go on.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -50,6 +53,19 @@ pub enum Broken {
         along: f64,
         /// |L| [kg m²/s].
         length: f64,
+    },
+    /// A scheme in body axes was given the mass points.
+    #[error("the scheme lives in body axes and does not run on mass points")]
+    NeedsAttitude,
+    /// An implicit equation was not solved.
+    #[error("no convergence after {iterations} iterations: residual {residual:e} > {tolerance:e}")]
+    NoConvergence {
+        /// Iterations made.
+        iterations: u32,
+        /// What was left.
+        residual: f64,
+        /// What was asked for.
+        tolerance: f64,
     },
     /// The user asked for the end.
     #[error("interrupted")]
@@ -92,6 +108,39 @@ pub trait Model {
     /// # Errors
     /// Ω does not exist.
     fn observe(&self, t: f64, state: &Self::State) -> Result<Snapshot, Broken>;
+}
+
+/// A model that turns about principal axes: what schemes in body axes ask for. The mass points are none.
+///
+/// An attitude takes principal axes to world axes. `advance` moves everything by its rates; `kick` and `drift` are
+/// its two halves without the rotation, for splittings and for schemes that turn the body by a rule of their own.
+pub trait Turning: Model {
+    /// Principal moments and their inverses.
+    fn rotational(&self) -> &Rotational;
+
+    /// The attitude of a state.
+    fn attitude(&self, state: &Self::State) -> Rotation;
+
+    /// L of a state [kg m²/s], world.
+    fn momentum(&self, state: &Self::State) -> Vector3<f64>;
+
+    /// Puts attitude and L into a state; a model whose L is constant keeps its own.
+    fn place(&self, state: &mut Self::State, attitude: Rotation, momentum: Vector3<f64>);
+
+    /// Ω of rates [rad/s], world.
+    fn spin_of(&self, rates: &Self::Rates) -> Vector3<f64>;
+
+    /// τ of rates [N m], world.
+    fn torque_of(&self, rates: &Self::Rates) -> Vector3<f64>;
+
+    /// U_cm + s F/M and L + s τ, where the model keeps them; positions and attitude stay.
+    fn kick(&self, state: &mut Self::State, s: f64, rates: &Self::Rates);
+
+    /// X_cm + s U_cm with the state's own U_cm, where the model keeps it; all else stays.
+    fn drift(&self, state: &mut Self::State, s: f64);
+
+    /// Whether a force depends on a velocity, which a splitting into kicks and drifts cannot take.
+    fn reads_velocity(&self) -> bool;
 }
 
 fn finite(vectors: &[&Vector3<f64>]) -> bool {

@@ -25,15 +25,15 @@ pub struct Rotor {
 /// State of a rotor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RotorState {
-    attitude: Rotation,
-    momentum: Vector3<f64>,
+    pub(super) attitude: Rotation,
+    pub(super) momentum: Vector3<f64>,
 }
 
 /// Rates of a rotor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RotorRates {
-    spin: Vector3<f64>,
-    torque: Vector3<f64>,
+    pub(super) spin: Vector3<f64>,
+    pub(super) torque: Vector3<f64>,
 }
 
 impl Add for RotorRates {

@@ -131,6 +131,8 @@ impl AnyModel {
 /// What every reduced model knows about rotation: the body in its principal axes.
 #[derive(Clone, Debug)]
 pub struct Rotational {
+    /// Principal moments about the origin [kg m²].
+    pub moments: Vector3<f64>,
     /// 1/moment about each principal axis [1/(kg m²)]; 0 where the body cannot spin.
     pub inverse_moments: Vector3<f64>,
     /// Takes principal axes to world axes at t = 0.
@@ -237,7 +239,8 @@ impl System {
     pub fn constant_force(&self) -> (bool, bool) {
         let laws = self.forces.laws();
         let free_of_force = !self.body.pivoted && laws.iter().all(Law::is_torque);
-        let constant = !self.body.pivoted && laws.iter().all(|law| law.is_torque() || matches!(law, Law::Gravity(_)));
+        let constant =
+            !self.body.pivoted && laws.iter().all(|law| law.is_torque() || matches!(law, Law::Gravity(_)));
         (constant, free_of_force)
     }
 
@@ -344,6 +347,7 @@ impl System {
             Shape::Point | Shape::Extended => None,
         };
         Rotational {
+            moments: self.body.moments,
             inverse_moments: self.body.inverse_moments(),
             attitude: self.start.orientation * self.body.principal,
             body_to_principal,

@@ -4,7 +4,7 @@
 //!
 //! Source: peskin2021, steps (1)–(4). First order, with the exact rotation; L constant without torque.
 
-use super::{Card, Scheme};
+use super::{Card, Scheme, Workspace};
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model};
 
@@ -31,7 +31,7 @@ impl Scheme for Euler {
             Claim::Evaluations(1),
         ],
     };
-    const STAGES: usize = 0;
+    const STATES: usize = 0;
 
     fn step<M: Model>(
         model: &M,
@@ -39,7 +39,7 @@ impl Scheme for Euler {
         h: f64,
         from: &M::State,
         to: &mut M::State,
-        _stages: &mut [M::State],
+        _work: &mut Workspace<M>,
     ) -> Result<(), Broken> {
         let k0 = model.rates(t, from)?;
         model.advance(from, h, &k0, to); // (1)–(4)

@@ -1,10 +1,11 @@
 //! The trait, the list, and one file a scheme; nothing else.
 //!
-//! A scheme is written in the two verbs of [`Model`] alone. It sees no scene, no reference and no gate: it
+//! A scheme is written in the two verbs of [`Model`] alone, or in those of [`Turning`] where it lives in body
+//! axes. It sees no scene, no reference and no gate: it
 //! cannot know that it is being examined.
 
 use crate::claim::Claim;
-use crate::model::{Broken, Model};
+use crate::model::{Broken, Model, Turning};
 
 /// What a scheme says of itself.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,14 +37,23 @@ impl Card {
     }
 }
 
-/// A time-stepping scheme.
+/// Buffers that a scheme works in, made once a run.
+#[derive(Clone, Debug)]
+pub struct Workspace<M: Model> {
+    /// States between those that a step goes from and to; their content does not outlive the step.
+    pub states: Vec<M::State>,
+    /// Rates of earlier steps, for multistep schemes, the latest last; empty when a run starts.
+    pub history: Vec<M::Rates>,
+}
+
+/// A time-stepping scheme for every model.
 pub trait Scheme: 'static {
     /// What it says of itself.
     const CARD: Card;
-    /// Buffers that a step needs besides the states it goes from and to.
-    const STAGES: usize;
+    /// States that a step needs besides those that it goes from and to.
+    const STATES: usize;
 
-    /// One step from `t` to `t + h`: reads `from`, writes `to`, may use `stages` in between.
+    /// One step from `t` to `t + h`: reads `from`, writes `to`.
     ///
     /// # Errors
     /// The step cannot be made.
@@ -53,7 +63,32 @@ pub trait Scheme: 'static {
         h: f64,
         from: &M::State,
         to: &mut M::State,
-        stages: &mut [M::State],
+        work: &mut Workspace<M>,
+    ) -> Result<(), Broken>;
+}
+
+/// A scheme that lives in body axes: for every model but the mass points.
+pub trait TurningScheme: 'static {
+    /// What it says of itself.
+    const CARD: Card;
+    /// States that a step needs besides those that it goes from and to.
+    const STATES: usize;
+    /// Whether forces may depend on velocities.
+    const TAKES_VELOCITY_FORCES: bool;
+    /// Whether the body may be a rod or a point, whose moments are not all above zero.
+    const TAKES_RODS: bool;
+
+    /// One step from `t` to `t + h`: reads `from`, writes `to`.
+    ///
+    /// # Errors
+    /// The step cannot be made.
+    fn step<M: Turning>(
+        model: &M,
+        t: f64,
+        h: f64,
+        from: &M::State,
+        to: &mut M::State,
+        work: &mut Workspace<M>,
     ) -> Result<(), Broken>;
 }
 
@@ -61,22 +96,27 @@ pub trait Scheme: 'static {
 pub trait Visitor {
     /// What comes of it.
     type Output;
-    /// Does it.
+    /// Does it with a scheme for every model.
     fn visit<S: Scheme>(&self) -> Self::Output;
+    /// Does it with a scheme in body axes.
+    fn visit_turning<S: TurningScheme>(&self) -> Self::Output;
 }
 
 macro_rules! list {
-    ($($module:ident::$scheme:ident),* $(,)?) => {
+    (any: $($module:ident::$scheme:ident),* ; turning: $($turning_module:ident::$turning:ident),* ;) => {
         $(mod $module; pub use $module::$scheme;)*
+        $(mod $turning_module; pub use $turning_module::$turning;)*
 
         /// Calls the visitor with every scheme, in the order of the list.
         pub fn visit_all<V: Visitor>(visitor: &V) -> Vec<V::Output> {
-            vec![$(visitor.visit::<$scheme>()),*]
+            vec![$(visitor.visit::<$scheme>(),)* $(visitor.visit_turning::<$turning>(),)*]
         }
     };
 }
 
 list! {
+    any:
     peskin_rk2::PeskinRk2,
-    euler::Euler,
+    euler::Euler;
+    turning: ;
 }

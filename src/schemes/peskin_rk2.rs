@@ -6,7 +6,7 @@
 //! Source: peskin2021, steps (1)–(8). Second order; L constant without torque; the energy of a free body grows
 //! at a rate ∝ h³, so that it drifts: this is the scheme's weak side.
 
-use super::{Card, Scheme};
+use super::{Card, Scheme, Workspace};
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model};
 
@@ -34,7 +34,7 @@ impl Scheme for PeskinRk2 {
             Claim::Evaluations(2),
         ],
     };
-    const STAGES: usize = 1;
+    const STATES: usize = 1;
 
     fn step<M: Model>(
         model: &M,
@@ -42,9 +42,9 @@ impl Scheme for PeskinRk2 {
         h: f64,
         from: &M::State,
         to: &mut M::State,
-        stages: &mut [M::State],
+        work: &mut Workspace<M>,
     ) -> Result<(), Broken> {
-        let half = &mut stages[0];
+        let half = &mut work.states[0];
         let k0 = model.rates(t, from)?;
         model.advance(from, h / 2.0, &k0, half); // (1)–(4)
         let k1 = model.rates(t + h / 2.0, half)?;

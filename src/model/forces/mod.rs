@@ -285,6 +285,18 @@ impl Forces {
         Some(total)
     }
 
+    /// Whether a force depends on a velocity.
+    pub fn read_velocity(&self) -> bool {
+        self.laws.iter().any(|law| match law {
+            Law::Drag(_) => true,
+            Law::Spring(spring) => spring.damping != 0.0,
+            Law::Lorentz(lorentz) => lorentz.magnetic.amax() != 0.0,
+            Law::Ground(ground) => ground.damping != 0.0 || ground.friction != 0.0,
+            Law::Gravity(_) | Law::CentralGravity(_) | Law::Torque(_) => false,
+            Law::Dipole(_) | Law::GravityGradient(_) => false,
+        })
+    }
+
     /// Whether every law conserves the total energy.
     pub fn conservative(&self) -> bool {
         self.laws.iter().all(|law| match law {

@@ -79,12 +79,14 @@ fn draw_floor(sketch: &mut Sketch, panel: &Panel, quantity: &Quantity) {
 
 /// A line of slope `order` under the first curve whose measured order rounds to it.
 fn draw_guide(sketch: &mut Sketch, panel: &Panel, quantity: &Quantity, order: i32) {
-    let rounds = |curve: &&Curve| curve.order.and_then(|fit| fit.order).is_some_and(|p| p.round() as i32 == order);
+    let rounds =
+        |curve: &&Curve| curve.order.and_then(|fit| fit.order).is_some_and(|p| p.round() as i32 == order);
     let Some(curve) = quantity.curves.iter().find(rounds) else { return };
     let used: Vec<_> = curve.rungs.iter().filter(|rung| rung.used && rung.error.is_finite()).collect();
     let (Some(first), Some(last)) = (used.first(), used.last()) else { return };
     let slope = f64::from(order);
-    let mean = |part: fn(&super::curves::Rung) -> f64| used.iter().map(|r| part(r)).sum::<f64>() / used.len() as f64;
+    let mean =
+        |part: fn(&super::curves::Rung) -> f64| used.iter().map(|r| part(r)).sum::<f64>() / used.len() as f64;
     let (step, error) = (mean(|rung| rung.step), mean(|rung| rung.error));
     let drop = GUIDE_DROP / (panel.frame.bottom - panel.frame.top) * (panel.y.high - panel.y.low);
     let height = |x: f64| error - drop + slope * (x - step);
@@ -100,7 +102,13 @@ fn draw_guide(sketch: &mut Sketch, panel: &Panel, quantity: &Quantity, order: i3
 }
 
 /// Writes the power under the guide's middle where no curve runs.
-fn name_guide(sketch: &mut Sketch, panel: &Panel, quantity: &Quantity, (from, to): (Place, Place), order: i32) {
+fn name_guide(
+    sketch: &mut Sketch,
+    panel: &Panel,
+    quantity: &Quantity,
+    (from, to): (Place, Place),
+    order: i32,
+) {
     let words = if order == 1 { "h".to_string() } else { format!("h{}", number::superscript(order)) };
     for part in [0.5, 0.3, 0.7, 0.15] {
         let on = (from.0 + part * (to.0 - from.0), from.1 + part * (to.1 - from.1));

@@ -35,8 +35,10 @@ pub(super) fn sketch(records: &Records, palette: &Palette) -> Option<Sketch> {
     let strip = legend::height(&entries, width - 2.0 * MARGIN);
     let body = (CELL.1 * grid.1 as f64).max(700.0);
     let height = TOP + body + 120.0 + strip + MARGIN;
-    let mut sketch = Sketch::new(width, height, "Drift rate of the rotational energy against the time step".into());
-    let subtitle = "|relative drift rate| of the rotational energy [1/s] against the step, with its order in h";
+    let mut sketch =
+        Sketch::new(width, height, "Drift rate of the rotational energy against the time step".into());
+    let subtitle =
+        "|relative drift rate| of the rotational energy [1/s] against the step, with its order in h";
     panel::headline(&mut sketch, "Energy drift", subtitle);
     let all = Frame { left: MARGIN + 110.0, top: TOP, right: width - MARGIN, bottom: TOP + body };
     let (x, y) = shared_axes(&drifting);

@@ -39,9 +39,15 @@ pub(super) fn sketch(records: &Records, palette: &Palette, scene: &str) -> Optio
     let height = TOP + row * quantities.len() as f64 + 100.0 + strip + 2.0 * MARGIN;
     let title = survey::title(records, scene);
     let mut sketch = Sketch::new(WIDTH, height, format!("{title}: change of the invariants against time"));
-    panel::headline(&mut sketch, title, &format!("{scene} · size of the change since the start, against time"));
-    let all = Frame { left: MARGIN, top: TOP, right: WIDTH - MARGIN, bottom: TOP + row * quantities.len() as f64 };
-    let column = labels::column_width(here.iter().map(|row| step_words(row)).collect::<Vec<_>>().iter().map(|w| &**w));
+    panel::headline(
+        &mut sketch,
+        title,
+        &format!("{scene} · size of the change since the start, against time"),
+    );
+    let all =
+        Frame { left: MARGIN, top: TOP, right: WIDTH - MARGIN, bottom: TOP + row * quantities.len() as f64 };
+    let column =
+        labels::column_width(here.iter().map(|row| step_words(row)).collect::<Vec<_>>().iter().map(|w| &**w));
     for (index, quantity) in quantities.iter().enumerate() {
         let rows: Vec<&Series> = here.iter().filter(|row| row.quantity == *quantity).copied().collect();
         let frame = all.cell((1, quantities.len()), index).inside(140.0, 62.0, column, 14.0);
@@ -92,8 +98,11 @@ fn draw_panel(sketch: &mut Sketch, palette: &Palette, rows: &[&Series], frame: F
 fn title(rows: &[&Series]) -> String {
     let Some(row) = rows.first() else { return String::new() };
     let words = survey::quantity_words(&row.quantity);
-    let still: Vec<&str> =
-        rows.iter().filter(|row| row.value.iter().all(|value| *value == 0.0)).map(|row| &*row.scheme).collect();
+    let still: Vec<&str> = rows
+        .iter()
+        .filter(|row| row.value.iter().all(|value| *value == 0.0))
+        .map(|row| &*row.scheme)
+        .collect();
     let mut title = match row.unit.as_str() {
         "" | "1" => format!("|relative change| of {words}"),
         unit => format!("|change| of {words} [{unit}]"),

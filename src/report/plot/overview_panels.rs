@@ -14,7 +14,13 @@ use super::sketch::{Anchor, Place, Sketch, Type};
 type Shown<'a> = (&'a [&'a str], &'a str);
 
 /// Draws the errors of all scenes against the step: thin lines, a colour a scheme.
-pub(super) fn draw_errors(sketch: &mut Sketch, records: &Records, palette: &Palette, shown: Shown, frame: Frame) {
+pub(super) fn draw_errors(
+    sketch: &mut Sketch,
+    records: &Records,
+    palette: &Palette,
+    shown: Shown,
+    frame: Frame,
+) {
     let curves = ladders(records, palette, shown);
     let rungs = || curves.iter().flat_map(|curve| &curve.rungs);
     let (left, right) = bounds(&rungs().map(|rung| rung.step).collect::<Vec<_>>());
@@ -42,7 +48,8 @@ pub(super) fn draw_errors(sketch: &mut Sketch, records: &Records, palette: &Pale
     panel.draw_frame(sketch);
     panel.label_x(sketch, "step h [s]");
     panel.label_y(sketch);
-    let unit = records.orders.iter().find(|row| row.quantity == shown.1).map_or("rad", |row| row.unit.as_str());
+    let unit =
+        records.orders.iter().find(|row| row.quantity == shown.1).map_or("rad", |row| row.unit.as_str());
     let words = survey::quantity_words(shown.1);
     panel.title(sketch, &format!("Error in {words} at the end [{unit}], a line a scene"));
 }
@@ -52,7 +59,8 @@ fn ladders<'a>(records: &'a Records, palette: &Palette<'a>, (scenes, quantity): 
         let here = |row: &&Measurement| row.scene == **scene && row.metric == quantity;
         let rows: Vec<&Measurement> = records.measurements.iter().filter(here).collect();
         let fit = |scheme| survey::order(records, scene, scheme, quantity);
-        let all: Vec<Curve> = palette.schemes().iter().map(|name| curves::curve(name, &rows, fit(name))).collect();
+        let all: Vec<Curve> =
+            palette.schemes().iter().map(|name| curves::curve(name, &rows, fit(name))).collect();
         all
     };
     // A curve at rounding level is flat and says nothing about an order.
@@ -93,7 +101,13 @@ fn draw_guide(sketch: &mut Sketch, panel: &Panel, curves: &[Curve], order: u32) 
 }
 
 /// Draws every measured order with its interval: a row a scene, a band a claim.
-pub(super) fn draw_orders(sketch: &mut Sketch, records: &Records, palette: &Palette, shown: Shown, frame: Frame) {
+pub(super) fn draw_orders(
+    sketch: &mut Sketch,
+    records: &Records,
+    palette: &Palette,
+    shown: Shown,
+    frame: Frame,
+) {
     let (scenes, quantity) = shown;
     let claims = whole_orders(records, palette);
     let least = claims.first().map_or(0.5, |order| f64::from(*order) - 0.5);
@@ -120,7 +134,13 @@ pub(super) fn draw_orders(sketch: &mut Sketch, records: &Records, palette: &Pale
 }
 
 /// A dot and its whisker; schemes stand one above another within the row.
-fn draw_order(sketch: &mut Sketch, palette: &Palette, panel: &Panel, (order, row): (&Order, usize), main: bool) {
+fn draw_order(
+    sketch: &mut Sketch,
+    palette: &Palette,
+    panel: &Panel,
+    (order, row): (&Order, usize),
+    main: bool,
+) {
     let Some(value) = order.order else { return };
     let look = palette.look(&order.scheme);
     let inside = |value: f64| panel.across(value.clamp(panel.x.low, panel.x.high));

@@ -4,7 +4,9 @@ use std::path::Path;
 
 use plotters::coord::Shift;
 use plotters::element::{Circle, PathElement, Polygon, Text};
-use plotters::prelude::{BitMapBackend, Color, DrawingArea, DrawingBackend, IntoDrawingArea, SVGBackend, WHITE};
+use plotters::prelude::{
+    BitMapBackend, Color, DrawingArea, DrawingBackend, IntoDrawingArea, SVGBackend, WHITE,
+};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{FontStyle, FontTransform, IntoFont, TextStyle};
 
@@ -99,9 +101,9 @@ fn draw<B: DrawingBackend>(shape: &Shape, area: &DrawingArea<B, Shift>, pen: &Pe
             let corners: Vec<_> = corners.iter().map(|place| at(*place)).collect();
             area.draw(&Polygon::new(corners, ink.filled())).map_err(fault)
         }
-        Shape::Disc { centre, radius, ink } => {
-            area.draw(&Circle::new(at(*centre), (radius * pen.zoom).round() as i32, ink.filled())).map_err(fault)
-        }
+        Shape::Disc { centre, radius, ink } => area
+            .draw(&Circle::new(at(*centre), (radius * pen.zoom).round() as i32, ink.filled()))
+            .map_err(fault),
         Shape::Text { text, place, anchor, face, upwards } => {
             let drop = face.em * pen.drop_em;
             let place = if *upwards { (place.0 + drop, place.1) } else { (place.0, place.1 + drop) };

@@ -46,7 +46,9 @@ impl Type {
     pub(super) fn width(&self, text: &str) -> f64 {
         let style = if self.bold { FontStyle::Bold } else { FontStyle::Normal };
         let font = ("sans-serif", self.em * super::font::HEIGHT_PER_EM, style).into_font();
-        font.transform(FontTransform::None).layout_box(text).map_or(0.0, |(low, high)| f64::from(high.0 - low.0))
+        font.transform(FontTransform::None)
+            .layout_box(text)
+            .map_or(0.0, |(low, high)| f64::from(high.0 - low.0))
     }
 }
 
@@ -119,7 +121,13 @@ impl Sketch {
 
     /// Adds a text that runs upwards, centred at the place.
     pub(super) fn text_upwards(&mut self, text: &str, place: Place, face: Type) {
-        self.shapes.push(Shape::Text { text: text.into(), place, anchor: Anchor::Middle, face, upwards: true });
+        self.shapes.push(Shape::Text {
+            text: text.into(),
+            place,
+            anchor: Anchor::Middle,
+            face,
+            upwards: true,
+        });
     }
 
     /// Adds a marker, filled or hollow.

@@ -1,0 +1,160 @@
+//! What schemes in body axes ask of a model: an attitude, moments of inertia, and kicks apart from drifts.
+
+use nalgebra::Vector3;
+
+use super::Turning;
+use super::falling::Falling;
+use super::forced::Forced;
+use super::free::Free;
+use super::rotor::Rotor;
+use super::system::Rotational;
+use crate::rotation::Rotation;
+
+impl Turning for Free {
+    fn rotational(&self) -> &Rotational {
+        &self.rotational
+    }
+
+    fn attitude(&self, state: &Rotation) -> Rotation {
+        *state
+    }
+
+    fn momentum(&self, _state: &Rotation) -> Vector3<f64> {
+        self.start.angular_momentum
+    }
+
+    fn place(&self, state: &mut Rotation, attitude: Rotation, _momentum: Vector3<f64>) {
+        *state = attitude;
+    }
+
+    fn spin_of(&self, rates: &Vector3<f64>) -> Vector3<f64> {
+        *rates
+    }
+
+    fn torque_of(&self, _rates: &Vector3<f64>) -> Vector3<f64> {
+        Vector3::zeros()
+    }
+
+    fn kick(&self, _state: &mut Rotation, _s: f64, _rates: &Vector3<f64>) {}
+
+    fn drift(&self, _state: &mut Rotation, _s: f64) {}
+
+    fn reads_velocity(&self) -> bool {
+        false
+    }
+}
+
+impl Turning for Falling {
+    fn rotational(&self) -> &Rotational {
+        &self.rotational
+    }
+
+    fn attitude(&self, state: &Self::State) -> Rotation {
+        state.attitude
+    }
+
+    fn momentum(&self, _state: &Self::State) -> Vector3<f64> {
+        self.start.angular_momentum
+    }
+
+    fn place(&self, state: &mut Self::State, attitude: Rotation, _momentum: Vector3<f64>) {
+        state.attitude = attitude;
+    }
+
+    fn spin_of(&self, rates: &Self::Rates) -> Vector3<f64> {
+        rates.spin
+    }
+
+    fn torque_of(&self, _rates: &Self::Rates) -> Vector3<f64> {
+        Vector3::zeros()
+    }
+
+    fn kick(&self, state: &mut Self::State, s: f64, rates: &Self::Rates) {
+        state.velocity += rates.acceleration * s;
+    }
+
+    fn drift(&self, state: &mut Self::State, s: f64) {
+        state.position += state.velocity * s;
+    }
+
+    fn reads_velocity(&self) -> bool {
+        false
+    }
+}
+
+impl Turning for Rotor {
+    fn rotational(&self) -> &Rotational {
+        &self.rotational
+    }
+
+    fn attitude(&self, state: &Self::State) -> Rotation {
+        state.attitude
+    }
+
+    fn momentum(&self, state: &Self::State) -> Vector3<f64> {
+        state.momentum
+    }
+
+    fn place(&self, state: &mut Self::State, attitude: Rotation, momentum: Vector3<f64>) {
+        state.attitude = attitude;
+        state.momentum = momentum;
+    }
+
+    fn spin_of(&self, rates: &Self::Rates) -> Vector3<f64> {
+        rates.spin
+    }
+
+    fn torque_of(&self, rates: &Self::Rates) -> Vector3<f64> {
+        rates.torque
+    }
+
+    fn kick(&self, state: &mut Self::State, s: f64, rates: &Self::Rates) {
+        state.momentum += rates.torque * s;
+    }
+
+    fn drift(&self, _state: &mut Self::State, _s: f64) {}
+
+    fn reads_velocity(&self) -> bool {
+        self.forces.read_velocity()
+    }
+}
+
+impl Turning for Forced {
+    fn rotational(&self) -> &Rotational {
+        &self.rotational
+    }
+
+    fn attitude(&self, state: &Self::State) -> Rotation {
+        state.attitude
+    }
+
+    fn momentum(&self, state: &Self::State) -> Vector3<f64> {
+        state.momentum
+    }
+
+    fn place(&self, state: &mut Self::State, attitude: Rotation, momentum: Vector3<f64>) {
+        state.attitude = attitude;
+        state.momentum = momentum;
+    }
+
+    fn spin_of(&self, rates: &Self::Rates) -> Vector3<f64> {
+        rates.spin
+    }
+
+    fn torque_of(&self, rates: &Self::Rates) -> Vector3<f64> {
+        rates.torque
+    }
+
+    fn kick(&self, state: &mut Self::State, s: f64, rates: &Self::Rates) {
+        state.velocity += rates.acceleration * s;
+        state.momentum += rates.torque * s;
+    }
+
+    fn drift(&self, state: &mut Self::State, s: f64) {
+        state.position += state.velocity * s;
+    }
+
+    fn reads_velocity(&self) -> bool {
+        self.forces.read_velocity()
+    }
+}
