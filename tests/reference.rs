@@ -3,8 +3,8 @@
 use nalgebra::{Matrix3, Vector3};
 use polhode::model::body::{Body, MassPoint, Shape};
 use polhode::model::forces::{
-    Attachment, CentralGravity, Dipole, Drag, Gravity, Ground, Law, Lorentz, PerPoint, Spring, Torque,
-    TorqueAxes,
+    Attachment, CentralGravity, Dipole, Drag, Gravity, GravityGradient, Ground, Law, Lorentz, PerPoint,
+    Spring, Torque, TorqueAxes,
 };
 use polhode::model::{Quantity, Snapshot, Spin, System, difference};
 use polhode::reference::stored::{self, Solution};
@@ -254,9 +254,8 @@ fn the_error_is_within_the_uncertainty_that_is_stated_without_the_stored_solutio
             let error = difference(&scene.system.body, &reference.states[j], exact);
             for (i, quantity) in Quantity::ALL.into_iter().enumerate() {
                 let stated = reference.uncertainty[j][i];
-                // The second source is the worse one: what they differ by is mostly its own error. Measured
-                // at most 1.3.
-                assert!(error[i] <= 2.0 * stated, "{} {quantity:?}: {:e} {stated:e}", scene.name, error[i]);
+                // Measured: 1.8 at most, in L of a free body, where both sources share their rounding.
+                assert!(error[i] <= 3.0 * stated, "{} {quantity:?}: {:e} {stated:e}", scene.name, error[i]);
             }
         }
     }
@@ -411,17 +410,8 @@ fn a_bounce_with_friction_and_a_stiff_damper_still_have_a_reference() {
     };
     let laws = vec![gravity([0.0, 0.0, -9.75]), Law::Ground(ground)];
     let bounce = free(CLUSTER, [[0.0, 0.0, 2.0], [0.5, 0.0, 0.0], [1.5, -2.0, 2.5]], laws);
-    for (name, system, duration, bound) in
-        [("bounce", bounce, 1.5, 1e-7), ("stiff", pivot_spring(4096.0), 2.0, 1e-10)]
-    {
-        let clock = std::time::Instant::now();
+    for (system, duration, bound) in [(bounce, 1.5, 1e-7), (pivot_spring(4096.0), 2.0, 1e-10)] {
         let reference = Reference::of(&system, duration, 64, None).expect("a reference");
-        eprintln!(
-            "{name} {:?} {:?} {:?}",
-            clock.elapsed(),
-            reference.largest_uncertainty(),
-            reference.sources
-        );
         assert!(largest(&reference.largest_uncertainty()) < bound);
     }
 }
@@ -437,8 +427,54 @@ fn impossible_runs_are_refused_with_their_numbers() {
     let wild = from_moments(1.0, [1.0, 2.0, 2.5], false, [1e200, 1e200, 1e200], vec![]);
     assert!(matches!(Reference::of(&wild, 1.0, 4, None), Err(ReferenceError::Both { .. })));
     let endless = from_moments(1.0, [1.0, 2.0, 2.5], false, [1e9, 1e9, 1e9], vec![]);
-    let clock = std::time::Instant::now();
     let endless = dop853::solve(&endless, &[1e6], 1e-15);
-    eprintln!("endless {:?}", clock.elapsed());
     assert!(matches!(endless, Err(ReferenceError::NoConvergence { .. })), "{endless:?}");
+}
+
+#[test]
+fn every_conservative_law_keeps_the_total_energy() {
+    let attachment = Attachment::At(V::new(0.5, 0.25, -1.0));
+    let anchor = V::new(1.0, 0.0, 1.0);
+    let elastic = Spring { attachment, anchor, stiffness: 8.0, damping: 0.0, rest_length: 1.5 };
+    let lorentz = Lorentz {
+        charge: PerPoint::Each(vec![2.0, -1.0, 0.5, 1.0, -1.5]),
+        electric: V::new(0.5, 0.0, 1.0),
+        electric_cosine: V::zeros(),
+        electric_sine: V::zeros(),
+        frequency: 0.0,
+        magnetic: V::new(0.0, 2.0, -1.0),
+    };
+    let gradient =
+        GravityGradient { mu_over_r3: 0.5, direction: V::new(0.6, 0.0, 0.8), normal: V::y(), rate: 0.0 };
+    let ground = Ground {
+        normal: V::new(0.0, 0.6, 0.8),
+        height: -0.5,
+        stiffness: 200.0,
+        damping: 0.0,
+        friction: 0.0,
+        slip_velocity: 0.01,
+    };
+    for law in [
+        gravity([0.0, 1.0, -9.75]),
+        Law::Spring(elastic),
+        Law::CentralGravity(CentralGravity { mu: 8.0, center: V::new(0.0, 4.0, 0.0) }),
+        Law::Lorentz(lorentz),
+        Law::Dipole(Dipole { moment: V::new(1.0, 0.5, 0.0), field: V::new(0.0, 2.0, 3.0) }),
+        Law::GravityGradient(gradient),
+        Law::Ground(ground),
+    ] {
+        let name = law.name();
+        let system = free(CLUSTER, [NONE, [0.25, 0.5, -0.5], [1.5, -2.0, 2.5]], vec![law]);
+        assert!(system.forces.conservative(), "{name}");
+        let reference = Reference::of(&system, 3.0, 12, None).expect("a reference");
+        let energy =
+            |s: &Snapshot| system.kinetic_energy(s) + system.potential_energy(s).expect("a potential");
+        let first = energy(&reference.states[0]);
+        let change = reference.states.iter().map(|s| (energy(s) - first).abs()).fold(0.0, f64::max);
+        let exchanged = system.kinetic_energy(&reference.states[0]);
+        let most = |s: &Snapshot| (system.kinetic_energy(s) - exchanged).abs();
+        // Rounding of the energies, up to 300 J; a kink of the ground costs more.
+        assert!(change < 1e-11, "{name}: {change:e}");
+        assert!(reference.states.iter().map(most).fold(0.0, f64::max) > 0.01, "{name}");
+    }
 }

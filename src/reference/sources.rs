@@ -89,17 +89,21 @@ impl Method {
 }
 
 pub(super) fn two_solutions(system: &System, times: &[f64]) -> Result<Pair, ReferenceError> {
-    let solve = |method: &Method, tolerance| (method.solve)(system, times, tolerance);
-    match (solve(&DOP853, DOP853.tolerance), solve(&TSIT45, TSIT45.tolerance)) {
-        (Ok(best), Ok(second)) => {
+    pair(system, times, &DOP853, &TSIT45)
+}
+
+fn pair(system: &System, times: &[f64], first: &Method, second: &Method) -> Result<Pair, ReferenceError> {
+    let solve = |method: &Method| (method.solve)(system, times, method.tolerance);
+    match (solve(first), solve(second)) {
+        (Ok(best), Ok(other)) => {
             let sources = vec![
-                DOP853.source(DOP853.tolerance, &best, Role::Best),
-                TSIT45.source(TSIT45.tolerance, &second, Role::Second),
+                first.source(first.tolerance, &best, Role::Best),
+                second.source(second.tolerance, &other, Role::Second),
             ];
-            Ok(Pair { best, second, sources })
+            Ok(Pair { best, second: other, sources })
         }
-        (Ok(best), Err(error)) => alone(system, times, &DOP853, best, &TSIT45, error),
-        (Err(error), Ok(best)) => alone(system, times, &TSIT45, best, &DOP853, error),
+        (Ok(best), Err(error)) => alone(system, times, first, best, second, error),
+        (Err(error), Ok(best)) => alone(system, times, second, best, first, error),
         (Err(first), Err(second)) => {
             Err(ReferenceError::Both { first: Box::new(first), second: Box::new(second) })
         }
@@ -131,4 +135,43 @@ fn alone(
         },
     ];
     Ok(Pair { best, second, sources })
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{Matrix3, Vector3};
+
+    use super::*;
+    use crate::model::Spin;
+    use crate::model::body::Body;
+    use crate::rotation::Rotation;
+
+    const FAILING: Method = Method {
+        name: "failing",
+        written: "failing",
+        tolerance: 1e-14,
+        solve: |_, _, _| Err(ReferenceError::NotFinite { method: "failing", time: 0.5 }),
+    };
+
+    fn system() -> System {
+        let inertia = Matrix3::from_diagonal(&Vector3::new(1.0, 2.0, 2.5));
+        let body = Body::from_inertia(1.0, inertia, None, false).expect("a body");
+        let spin = Spin::Velocity(Vector3::new(1.0, 1.0, 1.0));
+        System::new(body, vec![], Vector3::zeros(), Rotation::identity(), Vector3::zeros(), spin)
+            .expect("a system")
+    }
+
+    #[test]
+    fn a_coarser_run_stands_in_for_a_solver_that_failed_and_the_sources_say_so() {
+        for (first, second, works) in [(&FAILING, &TSIT45, "tsit45"), (&DOP853, &FAILING, "dop853")] {
+            let pair = pair(&system(), &[0.0, 1.0], first, second).expect("a pair");
+            let told: Vec<_> = pair.sources.iter().map(|s| (s.name.as_str(), s.role)).collect();
+            let expected = [(works, Role::Best), (works, Role::Second), ("failing", Role::Failed)];
+            assert_eq!(told, expected);
+            assert!(pair.sources[1].detail.contains("tolerance 1e-1"), "{}", pair.sources[1].detail);
+            assert!(pair.second.evaluations < pair.best.evaluations);
+        }
+        let neither = pair(&system(), &[0.0, 1.0], &FAILING, &FAILING);
+        assert!(matches!(neither, Err(ReferenceError::Both { .. })));
+    }
 }
