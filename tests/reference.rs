@@ -314,7 +314,7 @@ fn scaled([m, l, t]: [f64; 3]) -> System {
     let points: Vec<_> = CLUSTER.iter().map(|[w, x, y, z]| [w * m, x * l, y * l, z * l]).collect();
     let laws = vec![
         gravity([0.0, -0.5 * l / (t * t), -l / (t * t)]),
-        spring(1, [-1.0 * l, 1.5 * l, 0.0], 5.0 * m / (t * t), 0.5 * m / t),
+        spring(1, [-l, 1.5 * l, 0.0], 5.0 * m / (t * t), 0.5 * m / t),
         Law::Drag(Drag { coefficient: PerPoint::Same(0.125 * m / t) }),
         Law::CentralGravity(CentralGravity { mu: l * l * l / (t * t), center: V::new(8.0, 0.0, 0.0) * l }),
     ];
@@ -410,7 +410,8 @@ fn a_bounce_with_friction_and_a_stiff_damper_still_have_a_reference() {
     };
     let laws = vec![gravity([0.0, 0.0, -9.75]), Law::Ground(ground)];
     let bounce = free(CLUSTER, [[0.0, 0.0, 2.0], [0.5, 0.0, 0.0], [1.5, -2.0, 2.5]], laws);
-    for (system, duration, bound) in [(bounce, 1.5, 1e-7), (pivot_spring(4096.0), 2.0, 1e-10)] {
+    // Measured 1e-10, lost where the points touch, and 3e-13.
+    for (system, duration, bound) in [(bounce, 1.5, 1e-9), (pivot_spring(4096.0), 2.0, 3e-12)] {
         let reference = Reference::of(&system, duration, 64, None).expect("a reference");
         assert!(largest(&reference.largest_uncertainty()) < bound);
     }
