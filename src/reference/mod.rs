@@ -13,11 +13,14 @@ mod agreement;
 pub mod dop853;
 pub mod equations;
 pub mod run;
+mod sample;
+mod sources;
 pub mod stored;
 pub mod tsit45;
 pub mod units;
 
-pub use agreement::{Reference, Role, Source, Spread};
+pub use agreement::Reference;
+pub use sources::{Role, Source, Spread};
 pub use stored::{Stored, StoredError};
 
 /// A reference that cannot be had.
