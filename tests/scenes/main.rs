@@ -1,0 +1,8 @@
+//! The scene format as a user meets it: what is read, and how what is wrong is told.
+
+mod built_in;
+mod format;
+mod fuzz;
+mod given;
+mod refused_bodies;
+mod refused_forces;
