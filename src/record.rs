@@ -319,7 +319,8 @@ impl Records {
     /// # Errors
     /// The file cannot be read, is not JSON of this shape, or follows another schema.
     pub fn read(path: &Path) -> Result<Records, RecordError> {
-        let text = fs::read_to_string(path).map_err(|source| RecordError::File { path: path.into(), source })?;
+        let text =
+            fs::read_to_string(path).map_err(|source| RecordError::File { path: path.into(), source })?;
         let format = |why| RecordError::Format { path: path.into(), why };
         let records: Records = serde_json::from_str(&text).map_err(|error| format(error.to_string()))?;
         if records.schema != SCHEMA {
@@ -330,7 +331,8 @@ impl Records {
 
     /// The records as JSON text.
     pub fn to_json(&self) -> String {
-        let mut text = serde_json::to_string_pretty(self).expect("records hold only strings, numbers and lists");
+        let mut text =
+            serde_json::to_string_pretty(self).expect("records hold only strings, numbers and lists");
         text.push('\n');
         text
     }

@@ -69,9 +69,12 @@ pub fn write(
     write_whole(&out.join("records.csv"), records.to_csv().as_bytes())?;
     let figures = write_pictures(records, &out.join("plots"), progress)?;
     let page = page::compose(records, &figures);
-    for (name, render) in [("report.md", markdown::render as fn(&page::Page) -> _), ("index.html", html::render)] {
+    for (name, render) in
+        [("report.md", markdown::render as fn(&page::Page) -> _), ("index.html", html::render)]
+    {
         let path = out.join(name);
-        let text: String = render(&page).map_err(|source| ReportError::Page { path: path.clone(), source })?;
+        let text: String =
+            render(&page).map_err(|source| ReportError::Page { path: path.clone(), source })?;
         write_whole(&path, text.as_bytes())?;
     }
     Ok(())

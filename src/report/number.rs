@@ -89,7 +89,7 @@ pub(super) fn order(value: Option<f64>, low: Option<f64>, high: Option<f64>) -> 
     let Some(value) = value else { return NONE.into() };
     let (Some(low), Some(high)) = (low, high) else { return minus(&format!("{value:.2}")) };
     let half = (high - low) / 2.0;
-    let decimals = if half < 0.01 { 3 } else { 2 };
+    let decimals = if half < 0.0095 { 3 } else { 2 };
     if ((high + low) / 2.0 - value).abs() > 0.1 * half + 5e-4 {
         return minus(&format!("{value:.decimals$} [{low:.decimals$}, {high:.decimals$}]"));
     }

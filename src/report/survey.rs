@@ -132,14 +132,20 @@ pub(super) fn claimed_order(records: &Records, scheme: &str) -> Option<u32> {
 }
 
 /// The fitted order of a scene, scheme and quantity.
-pub(super) fn order<'a>(records: &'a Records, scene: &str, scheme: &str, quantity: &str) -> Option<&'a Order> {
+pub(super) fn order<'a>(
+    records: &'a Records,
+    scene: &str,
+    scheme: &str,
+    quantity: &str,
+) -> Option<&'a Order> {
     let same = |row: &&Order| row.scene == scene && row.scheme == scheme && row.quantity == quantity;
     records.orders.iter().find(same)
 }
 
 /// True where a step belongs to the window that an order was fitted in.
 pub(super) fn in_window(order: &Order, step_s: f64) -> bool {
-    order.status == "fitted" && order.steps_used_s.iter().any(|used| (used - step_s).abs() <= 1e-9 * step_s.abs())
+    order.status == "fitted"
+        && order.steps_used_s.iter().any(|used| (used - step_s).abs() <= 1e-9 * step_s.abs())
 }
 
 /// A name of a scene as a file name, so that no scene can write outside the folder of plots.

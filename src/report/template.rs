@@ -17,8 +17,9 @@ pub(super) fn environment(escape: AutoEscape) -> Result<Environment<'static>, Er
 
 /// Fills a template with the page.
 pub(super) fn fill(environment: &Environment, template: &str, page: &Page) -> Result<String, Error> {
-    let json = serde_json::to_value(page)
-        .map_err(|error| Error::new(ErrorKind::InvalidOperation, "the page is not plain").with_source(error))?;
+    let json = serde_json::to_value(page).map_err(|error| {
+        Error::new(ErrorKind::InvalidOperation, "the page is not plain").with_source(error)
+    })?;
     environment.template_from_str(template)?.render(value(json))
 }
 
@@ -33,8 +34,8 @@ fn value(json: serde_json::Value) -> Value {
         },
         serde_json::Value::String(text) => Value::from(text),
         serde_json::Value::Array(items) => items.into_iter().map(value).collect(),
-        serde_json::Value::Object(fields) => {
-            Value::from(fields.into_iter().map(|(key, field)| (key, value(field))).collect::<BTreeMap<_, _>>())
-        }
+        serde_json::Value::Object(fields) => Value::from(
+            fields.into_iter().map(|(key, field)| (key, value(field))).collect::<BTreeMap<_, _>>(),
+        ),
     }
 }

@@ -26,7 +26,9 @@ pub fn verdict_table(records: &Records, verbose: bool) -> String {
 fn table(header: &[&str]) -> Table {
     let mut table = Table::new();
     table.load_preset(presets::UTF8_HORIZONTAL_ONLY).set_content_arrangement(ContentArrangement::Dynamic);
-    table.set_width(WIDTH).set_header(header.iter().map(|word| Cell::new(word).add_attribute(Attribute::Bold)));
+    table
+        .set_width(WIDTH)
+        .set_header(header.iter().map(|word| Cell::new(word).add_attribute(Attribute::Bold)));
     table
 }
 
@@ -46,7 +48,8 @@ fn detail_table(verdicts: &[&Verdict]) -> Table {
     let mut table = table(&["verdict", "scene: scheme", "claim: quantity", "detail"]);
     for verdict in verdicts {
         let outcome = Outcome::of(verdict);
-        let reason = verdict.known_deviation.as_ref().map(|why| format!("\nknown: {why}")).unwrap_or_default();
+        let reason =
+            verdict.known_deviation.as_ref().map(|why| format!("\nknown: {why}")).unwrap_or_default();
         table.add_row([
             outcome.words().to_string(),
             format!("{}: {}", verdict.scene, verdict.scheme),

@@ -91,7 +91,9 @@ impl VerdictRow {
 fn measured(verdict: &Verdict) -> String {
     let Some(value) = verdict.measured else { return number::NONE.into() };
     match (verdict.low, verdict.high) {
-        (Some(low), Some(high)) if verdict.claim == "order" => number::order(Some(value), Some(low), Some(high)),
+        (Some(low), Some(high)) if verdict.claim == "order" => {
+            number::order(Some(value), Some(low), Some(high))
+        }
         (Some(low), Some(high)) if low < high => {
             let [value, low, high] = [value, low, high].map(|number| number::significant(number, 4));
             format!("{value} [{low}, {high}]")
@@ -119,12 +121,23 @@ pub(super) fn compose(records: &Records, figures: &[Figure]) -> Page {
             .collect(),
         attention: attention.into_iter().map(VerdictRow::new).collect(),
         schemes: records.schemes.iter().map(|row| tables::Scheme::new(records, row)).collect(),
-        overview: figure(figures, &Subject::Overview, "Errors and measured orders of every scene and scheme."),
+        overview: figure(
+            figures,
+            &Subject::Overview,
+            "Errors and measured orders of every scene and scheme.",
+        ),
         order_quantities,
         orders,
-        drift_figure: figure(figures, &Subject::DriftRates, "Drift rate of the rotational energy against the step."),
+        drift_figure: figure(
+            figures,
+            &Subject::DriftRates,
+            "Drift rate of the rotational energy against the step.",
+        ),
         drifts: records.drifts.iter().map(tables::DriftRow::new).collect(),
-        scenes: survey::scenes(records).into_iter().map(|name| scene::Scene::new(records, figures, name)).collect(),
+        scenes: survey::scenes(records)
+            .into_iter()
+            .map(|name| scene::Scene::new(records, figures, name))
+            .collect(),
     }
 }
 
@@ -134,7 +147,8 @@ fn figure(figures: &[Figure], subject: &Subject, caption: &str) -> Option<Figure
 }
 
 fn machine_words(machine: &Machine) -> String {
-    let threads = if machine.threads > 0 { number::counted(machine.threads, "thread") } else { String::new() };
+    let threads =
+        if machine.threads > 0 { number::counted(machine.threads, "thread") } else { String::new() };
     let parts = [&machine.os, &machine.architecture, &machine.processor, &threads];
     let known: Vec<&str> = parts.into_iter().map(String::as_str).filter(|part| !part.is_empty()).collect();
     if known.is_empty() { "an unknown machine".into() } else { known.join(", ") }

@@ -112,7 +112,9 @@ impl Card {
 fn model_reason(model: &str) -> &'static str {
     match model {
         "free" => "neither force nor torque: only the orientation has to be stepped",
-        "falling" => "forces act on the centre of mass only: it moves by itself, and the body turns as if free",
+        "falling" => {
+            "forces act on the centre of mass only: it moves by itself, and the body turns as if free"
+        }
         "torque" => "torques and no force: only orientation and angular momentum have to be stepped",
         "pivot" => "a fixed point: orientation and angular momentum about it determine the motion",
         "forced" => "forces on points: everything moves, but only the points that carry a force are visited",
@@ -164,7 +166,8 @@ fn measures(rows: &[&Measurement], schemes: &[&str]) -> Vec<Measure> {
     let metrics = survey::distinct(rows.iter().map(|row| row.metric.as_str()));
     let steps: Vec<Option<f64>> = schemes.iter().map(|scheme| finest(rows, scheme)).collect();
     let cell = |metric: &str, scheme: &str, step: Option<f64>| {
-        let same = |row: &&&Measurement| row.metric == metric && row.scheme == scheme && Some(row.step_s) == step;
+        let same =
+            |row: &&&Measurement| row.metric == metric && row.scheme == scheme && Some(row.step_s) == step;
         rows.iter().find(same).map_or(number::NONE.into(), |row| measured(row))
     };
     let one = |metric: &str| Measure {

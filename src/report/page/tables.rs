@@ -35,9 +35,11 @@ impl Scheme {
 
 /// The range of the cost of a step over the rows that are asked for.
 pub(super) fn cost(records: &Records, wanted: impl Fn(&crate::record::Measurement) -> bool) -> String {
-    let costs = records.measurements.iter().filter(|row| wanted(row)).filter_map(|row| row.nanoseconds_per_step);
+    let costs =
+        records.measurements.iter().filter(|row| wanted(row)).filter_map(|row| row.nanoseconds_per_step);
     let costs: Vec<f64> = costs.filter(|cost| cost.is_finite()).collect();
-    let (Some(low), Some(high)) = (costs.iter().copied().reduce(f64::min), costs.iter().copied().reduce(f64::max))
+    let (Some(low), Some(high)) =
+        (costs.iter().copied().reduce(f64::min), costs.iter().copied().reduce(f64::max))
     else {
         return number::NONE.into();
     };
@@ -104,7 +106,10 @@ impl OrderRow {
             order: order_words(order),
             constant: constant(records, order),
             rungs: format!("{} of {}", order.rungs_used, order.rungs_used + order.rungs_dropped),
-            floor: number::joined(&order.floor.map_or(number::NONE.into(), |f| number::significant(f, 2)), &order.unit),
+            floor: number::joined(
+                &order.floor.map_or(number::NONE.into(), |f| number::significant(f, 2)),
+                &order.unit,
+            ),
             why: order.why.clone().unwrap_or_default(),
         }
     }
@@ -112,7 +117,8 @@ impl OrderRow {
 
 /// C = e/hᵖ; its uncertainty is how far e/hᵖ strays from it inside the fitted window.
 fn constant(records: &Records, order: &Order) -> String {
-    let (Some(constant), Some(power)) = (order.constant, survey::claimed_order(records, &order.scheme)) else {
+    let (Some(constant), Some(power)) = (order.constant, survey::claimed_order(records, &order.scheme))
+    else {
         return number::quantity(order.constant, None, &order.unit);
     };
     let stray = records

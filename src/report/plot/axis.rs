@@ -45,7 +45,8 @@ impl Axis {
         let (low, high) = opened(low, high, 1e-9);
         let rough = (high - low) / most.max(1) as f64;
         let power = 10f64.powf(rough.log10().floor());
-        let stride = [1.0, 2.0, 5.0, 10.0].into_iter().map(|m| m * power).find(|s| *s >= rough).unwrap_or(rough);
+        let stride =
+            [1.0, 2.0, 5.0, 10.0].into_iter().map(|m| m * power).find(|s| *s >= rough).unwrap_or(rough);
         let decimals = (-stride.log10().floor()).clamp(0.0, 12.0) as usize;
         let first = (low / stride - 1e-9).ceil() as i64;
         let last = (high / stride + 1e-9).floor() as i64;

@@ -10,6 +10,8 @@ use super::panel::{Frame, Panel, TICK};
 use super::sketch::{Anchor, Place, Sketch};
 
 const RADIUS: f64 = 12.0;
+/// A floor so many decades below the smallest error, or nearer, is drawn.
+const FLOOR_IN_SIGHT: f64 = 3.0;
 /// How far a guide runs below its curve.
 const GUIDE_DROP: f64 = 40.0;
 
@@ -17,8 +19,8 @@ const GUIDE_DROP: f64 = 40.0;
 pub(super) fn draw(sketch: &mut Sketch, palette: &Palette, quantity: &Quantity, cell: Frame, column: f64) {
     let frame = cell.inside(128.0, 66.0, column, 110.0);
     let panel = axes(quantity, frame);
-    draw_floor(sketch, &panel, quantity);
     panel.draw_grid(sketch);
+    draw_floor(sketch, &panel, quantity);
     for order in quantity.guide_orders() {
         draw_guide(sketch, &panel, quantity, order);
     }
@@ -26,8 +28,8 @@ pub(super) fn draw(sketch: &mut Sketch, palette: &Palette, quantity: &Quantity, 
         draw_curve(sketch, palette, &panel, curve);
     }
     panel.draw_frame(sketch);
-    for (index, curve) in quantity.curves.iter().enumerate() {
-        draw_broken(sketch, palette, &panel, curve, index);
+    for (row, curve) in quantity.curves.iter().filter(|curve| !curve.broken.is_empty()).enumerate() {
+        draw_broken(sketch, palette, &panel, curve, row);
     }
     panel.label_x(sketch, "step h [s]");
     panel.label_y(sketch);
@@ -52,14 +54,15 @@ fn axes(quantity: &Quantity, frame: Frame) -> Panel {
     let (left, right) = bounds(&steps);
     let (mut low, high) = bounds(&errors);
     if let Some(floor) = quantity.floor().filter(|floor| *floor < low) {
-        // A floor just below the errors is shown; one far below would only squeeze the curves.
-        low = if low - floor < 3.0 { floor - 0.3 } else { low };
+        // A floor just below the errors is shown; one far below would squeeze the curves and is told in words.
+        low = if low - floor < FLOOR_IN_SIGHT { floor - 0.3 } else { low };
     }
-    let head = 0.07 * (high - low).max(1.0);
+    let broken_schemes = quantity.curves.iter().filter(|curve| !curve.broken.is_empty()).count();
+    let head = (0.07 + 0.05 * broken_schemes as f64) * (high - low).max(1.0);
     Panel {
         frame,
         x: Axis::logarithmic(left - 0.12, right + 0.12, 5),
-        y: Axis::logarithmic(low - 1.5 * head, high + head, 7),
+        y: Axis::logarithmic(low - 0.1 * (high - low).max(1.0), high + head, 7),
     }
 }
 
@@ -71,20 +74,27 @@ pub(super) fn bounds(values: &[f64]) -> (f64, f64) {
 }
 
 fn draw_floor(sketch: &mut Sketch, panel: &Panel, quantity: &Quantity) {
-    if let Some(floor) = quantity.floor().filter(|floor| *floor > panel.y.low) {
+    let Some(floor) = quantity.floor() else { return };
+    let Frame { left, right, bottom, .. } = panel.frame;
+    if floor > panel.y.low {
         let top = panel.along(floor.min(panel.y.high));
-        sketch.area((panel.frame.left, top), panel.frame.high(), BAND);
+        sketch.area((left, top), (right, bottom), BAND);
+    } else {
+        let words = format!("↓ floor {}", number::significant(10f64.powf(floor), 1));
+        sketch.text(&words, (right - 16.0, bottom - 36.0), Anchor::End, TICK);
     }
 }
 
 /// A line of slope `order` under the first curve whose measured order rounds to it.
 fn draw_guide(sketch: &mut Sketch, panel: &Panel, quantity: &Quantity, order: i32) {
-    let rounds = |curve: &&Curve| curve.order.and_then(|fit| fit.order).is_some_and(|p| p.round() as i32 == order);
+    let rounds =
+        |curve: &&Curve| curve.order.and_then(|fit| fit.order).is_some_and(|p| p.round() as i32 == order);
     let Some(curve) = quantity.curves.iter().find(rounds) else { return };
     let used: Vec<_> = curve.rungs.iter().filter(|rung| rung.used && rung.error.is_finite()).collect();
     let (Some(first), Some(last)) = (used.first(), used.last()) else { return };
     let slope = f64::from(order);
-    let mean = |part: fn(&super::curves::Rung) -> f64| used.iter().map(|r| part(r)).sum::<f64>() / used.len() as f64;
+    let mean =
+        |part: fn(&super::curves::Rung) -> f64| used.iter().map(|r| part(r)).sum::<f64>() / used.len() as f64;
     let (step, error) = (mean(|rung| rung.step), mean(|rung| rung.error));
     let drop = GUIDE_DROP / (panel.frame.bottom - panel.frame.top) * (panel.y.high - panel.y.low);
     let height = |x: f64| error - drop + slope * (x - step);
@@ -100,7 +110,13 @@ fn draw_guide(sketch: &mut Sketch, panel: &Panel, quantity: &Quantity, order: i3
 }
 
 /// Writes the power under the guide's middle where no curve runs.
-fn name_guide(sketch: &mut Sketch, panel: &Panel, quantity: &Quantity, (from, to): (Place, Place), order: i32) {
+fn name_guide(
+    sketch: &mut Sketch,
+    panel: &Panel,
+    quantity: &Quantity,
+    (from, to): (Place, Place),
+    order: i32,
+) {
     let words = if order == 1 { "h".to_string() } else { format!("h{}", number::superscript(order)) };
     for part in [0.5, 0.3, 0.7, 0.15] {
         let on = (from.0 + part * (to.0 - from.0), from.1 + part * (to.1 - from.1));
@@ -138,12 +154,11 @@ fn draw_curve(sketch: &mut Sketch, palette: &Palette, panel: &Panel, curve: &Cur
     }
 }
 
-/// A cross on the upper edge at the step that broke; those of several schemes stand side by side.
-fn draw_broken(sketch: &mut Sketch, palette: &Palette, panel: &Panel, curve: &Curve, index: usize) {
+/// A cross at the upper edge at the step that broke; those of several schemes stand one under another.
+fn draw_broken(sketch: &mut Sketch, palette: &Palette, panel: &Panel, curve: &Curve, row: usize) {
     for step in &curve.broken {
-        let x = panel.across(*step) + 26.0 * index as f64;
-        let x = x.min(panel.frame.right - 14.0);
-        sketch.cross((x, panel.frame.top), RADIUS - 2.0, palette.look(curve.scheme).ink);
+        let place = (panel.across(*step), panel.frame.top + 18.0 + 26.0 * row as f64);
+        sketch.cross(place, RADIUS - 3.0, palette.look(curve.scheme).ink);
     }
 }
 

@@ -4,7 +4,8 @@ use crate::record::{Measurement, Order, Records};
 use crate::report::survey;
 
 /// Quantities in the order that pictures show them in; others follow.
-const USUAL: [&str; 6] = ["position", "velocity", "orientation", "angular-velocity", "angular-momentum", "body-point"];
+const USUAL: [&str; 6] =
+    ["position", "velocity", "orientation", "angular-velocity", "angular-momentum", "body-point"];
 
 /// One run of a ladder.
 #[derive(Clone, Copy, Debug)]
@@ -71,7 +72,8 @@ impl Quantity<'_> {
     /// The orders that guide lines are drawn for: those measured, as whole numbers.
     pub(super) fn guide_orders(&self) -> Vec<i32> {
         let fitted = self.curves.iter().filter_map(|curve| curve.order?.order);
-        let mut orders: Vec<i32> = fitted.map(|order| order.round() as i32).filter(|order| *order > 0).collect();
+        let mut orders: Vec<i32> =
+            fitted.map(|order| order.round() as i32).filter(|order| *order > 0).collect();
         orders.sort_unstable();
         orders.dedup();
         orders
@@ -94,7 +96,12 @@ fn base(metric: &str) -> Option<&str> {
     metric.strip_suffix("-end")
 }
 
-fn quantity<'a>(records: &'a Records, scene: &str, name: &'a str, here: &[&'a Measurement]) -> Option<Quantity<'a>> {
+fn quantity<'a>(
+    records: &'a Records,
+    scene: &str,
+    name: &'a str,
+    here: &[&'a Measurement],
+) -> Option<Quantity<'a>> {
     let metric = format!("{name}-end");
     let rows: Vec<&Measurement> = here.iter().filter(|row| row.metric == metric).copied().collect();
     let schemes = survey::schemes(records).into_iter();

@@ -1,21 +1,23 @@
 //! How fast the rotational energy drifts, against the time step: a panel a scene, all on the same axes.
 
-use crate::record::{Drift, Measurement, Order, Records};
+use crate::record::{Drift, Measurement, Records};
 use crate::report::{number, survey};
 
 use super::axis::Axis;
 use super::convergence_panel::bounds;
 use super::curves::{self, Curve};
 use super::legend::{self, Entry, Sign};
-use super::palette::Palette;
-use super::panel::{self, Frame, Panel, TITLE};
+use super::palette::{INK, Palette};
+use super::panel::{self, Frame, Panel};
 use super::sketch::{Anchor, Place, Sketch, Type};
 
 const METRIC: &str = "rotational-energy-drift-rate";
 const QUANTITY: &str = "rotational-energy";
 const MARGIN: f64 = 30.0;
 const TOP: f64 = 160.0;
-const CELL: (f64, f64) = (640.0, 440.0);
+/// Names of scenes over their panels.
+const NAME: Type = Type::bold(28.0, INK);
+const CELL: (f64, f64) = (640.0, 430.0);
 
 struct Drifting<'a> {
     scene: &'a str,
@@ -35,8 +37,10 @@ pub(super) fn sketch(records: &Records, palette: &Palette) -> Option<Sketch> {
     let strip = legend::height(&entries, width - 2.0 * MARGIN);
     let body = (CELL.1 * grid.1 as f64).max(700.0);
     let height = TOP + body + 120.0 + strip + MARGIN;
-    let mut sketch = Sketch::new(width, height, "Drift rate of the rotational energy against the time step".into());
-    let subtitle = "|relative drift rate| of the rotational energy [1/s] against the step, with its order in h";
+    let mut sketch =
+        Sketch::new(width, height, "Drift rate of the rotational energy against the time step".into());
+    let subtitle =
+        "|relative drift rate| of the rotational energy [1/s] against the step, with its order in h";
     panel::headline(&mut sketch, "Energy drift", subtitle);
     let all = Frame { left: MARGIN + 110.0, top: TOP, right: width - MARGIN, bottom: TOP + body };
     let (x, y) = shared_axes(&drifting);
@@ -109,22 +113,26 @@ fn draw_panel(sketch: &mut Sketch, records: &Records, palette: &Palette, one: &D
     }
     panel.draw_frame(sketch);
     let Frame { left, top, right, .. } = panel.frame;
-    let mut end = right;
-    // The fitted orders stand over the panel, at its right, each in the colour of its scheme.
-    for curve in one.curves.iter().rev() {
-        let look = palette.look(curve.scheme);
-        let Some(words) = fitted_words(records, one.scene, curve.scheme) else { continue };
-        let face = Type::bold(28.0, look.text);
-        sketch.text(&words, (end, top - 28.0), Anchor::End, face);
-        end -= face.width(&words) + 24.0;
+    let name = panel::fitted(one.scene, NAME, right - left);
+    sketch.text(&name, (left, top - 26.0), Anchor::Start, NAME);
+    write_orders(sketch, records, palette, one, panel.frame);
+}
+
+/// The fitted orders, in the corner that rising curves leave free, each in the colour of its scheme.
+fn write_orders(sketch: &mut Sketch, records: &Records, palette: &Palette, one: &Drifting, frame: Frame) {
+    let fits = one.curves.iter().filter_map(|curve| {
+        let words = fitted_words(records, one.scene, curve.scheme)?;
+        Some((words, Type::plain(28.0, palette.look(curve.scheme).text)))
+    });
+    let fits: Vec<_> = fits.collect();
+    for (row, (words, face)) in fits.iter().rev().enumerate() {
+        let place = (frame.right - 16.0, frame.bottom - 34.0 - 36.0 * row as f64);
+        sketch.text(words, place, Anchor::End, *face);
     }
-    let name = panel::fitted(one.scene, TITLE, end - left);
-    sketch.text(&name, (left, top - 28.0), Anchor::Start, TITLE);
 }
 
 fn fitted_words(records: &Records, scene: &str, scheme: &str) -> Option<String> {
     let same = |row: &&Drift| row.scene == scene && row.scheme == scheme && row.quantity == QUANTITY;
     let drift = records.drifts.iter().find(same)?;
-    let fit = Order { order: drift.rate_order, low: drift.low, high: drift.high, ..Order::default() };
-    drift.rate_order.map(|_| number::order(fit.order, fit.low, fit.high))
+    drift.rate_order.map(|_| number::order(drift.rate_order, drift.low, drift.high))
 }

@@ -1,8 +1,8 @@
 //! Labels beside a panel, at the ends of its curves: each as near as it can be to its curve, none over another.
 
+use super::palette::{Look, tint};
 use super::panel::Frame;
 use super::sketch::{Anchor, Place, Sketch, Type};
-use super::palette::{Look, tint};
 
 /// A label and the end of the curve that it belongs to.
 #[derive(Clone, Debug)]

@@ -27,11 +27,16 @@ pub(super) fn sketch(records: &Records, palette: &Palette) -> Option<Sketch> {
     let scenes = ordered_scenes(records);
     let body = (ROW * scenes.len() as f64 + 40.0).clamp(900.0, 1900.0);
     let height = TOP + body + 120.0 + legend::ROW + MARGIN;
-    let mut sketch = Sketch::new(WIDTH, height, "Measured order of accuracy of every scheme and scene".into());
-    panel::headline(&mut sketch, "Measured order of accuracy of rigid-body schemes", &subtitle(records, &scenes));
+    let mut sketch =
+        Sketch::new(WIDTH, height, "Measured order of accuracy of every scheme and scene".into());
+    panel::headline(
+        &mut sketch,
+        "Measured order of accuracy of rigid-body schemes",
+        &subtitle(records, &scenes),
+    );
     let all = Frame { left: MARGIN, top: TOP, right: WIDTH - MARGIN, bottom: TOP + body };
-    let errors = Frame { left: all.left + 110.0, right: 1290.0, ..all };
-    let orders = Frame { left: 1820.0, right: all.right - 10.0, ..all };
+    let errors = Frame { left: all.left + 110.0, right: 1270.0, ..all };
+    let orders = Frame { left: 1850.0, right: all.right - 10.0, ..all };
     panels::draw_errors(&mut sketch, records, palette, (&scenes, quantity), errors);
     panels::draw_orders(&mut sketch, records, palette, (&scenes, quantity), orders);
     let entries = entries(palette, quantity);
@@ -42,14 +47,18 @@ pub(super) fn sketch(records: &Records, palette: &Palette) -> Option<Sketch> {
 /// The scenes in which some order was fitted.
 fn ordered_scenes(records: &Records) -> Vec<&str> {
     let fitted = |scene: &&str| {
-        records.orders.iter().any(|row| row.scene == **scene && row.status == "fitted" && row.quantity.ends_with("-end"))
+        records
+            .orders
+            .iter()
+            .any(|row| row.scene == **scene && row.status == "fitted" && row.quantity.ends_with("-end"))
     };
     survey::scenes(records).into_iter().filter(fitted).collect()
 }
 
 fn subtitle(records: &Records, scenes: &[&str]) -> String {
     let counts = survey::tally(records.verdicts.iter());
-    let shown: Vec<_> = counts.into_iter().filter(|(outcome, _)| *outcome != Outcome::NotApplicable).collect();
+    let shown: Vec<_> =
+        counts.into_iter().filter(|(outcome, _)| *outcome != Outcome::NotApplicable).collect();
     let others = survey::scenes(records).len().saturating_sub(scenes.len());
     let apart = if others == 0 { String::new() } else { format!(" · {others} more scenes carry no order") };
     format!("verdicts: {} · {} scenes with an order{apart}", survey::tally_words(&shown), scenes.len())
@@ -62,6 +71,6 @@ fn entries(palette: &Palette, quantity: &str) -> Vec<Entry> {
     entries.push(Entry::new(Sign::Guide, "guide of whole slope"));
     entries.push(Entry::new(Sign::Band, "claimed order ± 0.15"));
     let words = survey::quantity_words(quantity);
-    entries.push(Entry::new(Sign::Hollow, format!("large: {words}; small: the other quantities")));
+    entries.push(Entry::new(Sign::Filled, format!("large: {words}; small: other quantities")));
     entries
 }

@@ -4,9 +4,11 @@ use std::path::Path;
 
 use plotters::coord::Shift;
 use plotters::element::{Circle, PathElement, Polygon, Text};
-use plotters::prelude::{BitMapBackend, Color, DrawingArea, DrawingBackend, IntoDrawingArea, SVGBackend, WHITE};
+use plotters::prelude::{
+    BitMapBackend, Color, DrawingArea, DrawingBackend, IntoDrawingArea, SVGBackend, WHITE,
+};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
-use plotters::style::{FontStyle, FontTransform, IntoFont, TextStyle};
+use plotters::style::{FontStyle, IntoFont, TextStyle};
 
 use super::font;
 use super::sketch::{Anchor, Place, Shape, Sketch, Type};
@@ -99,22 +101,19 @@ fn draw<B: DrawingBackend>(shape: &Shape, area: &DrawingArea<B, Shift>, pen: &Pe
             let corners: Vec<_> = corners.iter().map(|place| at(*place)).collect();
             area.draw(&Polygon::new(corners, ink.filled())).map_err(fault)
         }
-        Shape::Disc { centre, radius, ink } => {
-            area.draw(&Circle::new(at(*centre), (radius * pen.zoom).round() as i32, ink.filled())).map_err(fault)
-        }
-        Shape::Text { text, place, anchor, face, upwards } => {
-            let drop = face.em * pen.drop_em;
-            let place = if *upwards { (place.0 + drop, place.1) } else { (place.0, place.1 + drop) };
-            let style = text_style(face, *anchor, *upwards, pen);
-            area.draw(&Text::new(text.as_str(), at(place), style)).map_err(fault)
+        Shape::Disc { centre, radius, ink } => area
+            .draw(&Circle::new(at(*centre), (radius * pen.zoom).round() as i32, ink.filled()))
+            .map_err(fault),
+        Shape::Text { text, place, anchor, face } => {
+            let place = (place.0, place.1 + face.em * pen.drop_em);
+            area.draw(&Text::new(text.as_str(), at(place), text_style(face, *anchor, pen))).map_err(fault)
         }
     }
 }
 
-fn text_style<'a>(face: &'a Type, anchor: Anchor, upwards: bool, pen: &Pen) -> TextStyle<'a> {
+fn text_style<'a>(face: &'a Type, anchor: Anchor, pen: &Pen) -> TextStyle<'a> {
     let weight = if face.bold { FontStyle::Bold } else { FontStyle::Normal };
-    let turn = if upwards { FontTransform::Rotate270 } else { FontTransform::None };
-    let font = ("sans-serif", face.em * pen.size_per_em * pen.zoom, weight).into_font().transform(turn);
+    let font = ("sans-serif", face.em * pen.size_per_em * pen.zoom, weight).into_font();
     let side = match anchor {
         Anchor::Start => HPos::Left,
         Anchor::Middle => HPos::Center,

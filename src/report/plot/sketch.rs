@@ -2,7 +2,7 @@
 //!
 //! Lengths are picture units: pixels of the PNG, units of the SVG's view box; x to the right, y downwards.
 
-use plotters::style::{FontStyle, FontTransform, IntoFont, RGBColor};
+use plotters::style::{FontStyle, IntoFont, RGBColor};
 
 use super::palette::Marker;
 
@@ -46,7 +46,7 @@ impl Type {
     pub(super) fn width(&self, text: &str) -> f64 {
         let style = if self.bold { FontStyle::Bold } else { FontStyle::Normal };
         let font = ("sans-serif", self.em * super::font::HEIGHT_PER_EM, style).into_font();
-        font.transform(FontTransform::None).layout_box(text).map_or(0.0, |(low, high)| f64::from(high.0 - low.0))
+        font.layout_box(text).map_or(0.0, |(low, high)| f64::from(high.0 - low.0))
     }
 }
 
@@ -60,7 +60,7 @@ pub(super) enum Shape {
     /// A filled disc.
     Disc { centre: Place, radius: f64, ink: RGBColor },
     /// A text, its middle height at the place.
-    Text { text: String, place: Place, anchor: Anchor, face: Type, upwards: bool },
+    Text { text: String, place: Place, anchor: Anchor, face: Type },
 }
 
 /// A picture: its size and its shapes, the hindmost first.
@@ -114,12 +114,7 @@ impl Sketch {
 
     /// Adds a level text, its middle height at the place.
     pub(super) fn text(&mut self, text: &str, place: Place, anchor: Anchor, face: Type) {
-        self.shapes.push(Shape::Text { text: text.into(), place, anchor, face, upwards: false });
-    }
-
-    /// Adds a text that runs upwards, centred at the place.
-    pub(super) fn text_upwards(&mut self, text: &str, place: Place, face: Type) {
-        self.shapes.push(Shape::Text { text: text.into(), place, anchor: Anchor::Middle, face, upwards: true });
+        self.shapes.push(Shape::Text { text: text.into(), place, anchor, face });
     }
 
     /// Adds a marker, filled or hollow.
@@ -137,7 +132,7 @@ impl Sketch {
         });
     }
 
-    /// Adds an upright cross: the sign of a run that broke.
+    /// Adds a slanting cross: the sign of a run that broke.
     pub(super) fn cross(&mut self, centre: Place, radius: f64, ink: RGBColor) {
         let (x, y) = centre;
         self.line(vec![(x - radius, y - radius), (x + radius, y + radius)], ink, 6.0);
