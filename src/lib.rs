@@ -12,18 +12,18 @@
 //! Modules stand in the order of dependency; a test reads their `use` lines and fails on any edge that goes the
 //! other way.
 
-pub mod campaign;
-pub mod claim;
-pub mod cli;
-pub mod gates;
 pub mod interrupt;
-pub mod metrics;
-pub mod model;
-pub mod record;
-pub mod reference;
-pub mod regression;
-pub mod report;
 pub mod rotation;
-pub mod scenes;
+pub mod regression;
+pub mod record;
+pub mod model;
+pub mod claim;
 pub mod schemes;
+pub mod reference;
+pub mod scenes;
 pub mod simulate;
+pub mod metrics;
+pub mod gates;
+pub mod campaign;
+pub mod report;
+pub mod cli;

@@ -1,0 +1,127 @@
+//! The report: records drawn and written out for people, for build servers and for the terminal.
+//!
+//! This module reads [`Records`] only. It never runs a scheme: a picture cannot redo a calculation, and a report
+//! can be made again from a `records.json` alone.
+
+mod github;
+mod html;
+mod junit;
+mod markdown;
+mod number;
+mod page;
+mod plot;
+mod survey;
+mod template;
+mod text;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use rayon::prelude::*;
+
+use crate::record::{RecordError, Records, write_whole};
+
+pub use github::annotations;
+pub use junit::junit;
+pub use text::verdict_table;
+
+use page::Figure;
+use plot::{Picture, Subject};
+
+/// A report could not be written.
+#[derive(Debug, thiserror::Error)]
+pub enum ReportError {
+    /// A file could not be written.
+    #[error(transparent)]
+    File(#[from] RecordError),
+    /// A picture could not be drawn.
+    #[error("{}: the picture could not be drawn: {why}", path.display())]
+    Picture {
+        /// The file that the picture was for.
+        path: PathBuf,
+        /// What the drawing backend said.
+        why: String,
+    },
+    /// A page could not be composed.
+    #[error("{}: the page could not be composed: {source}", path.display())]
+    Page {
+        /// The file that the page was for.
+        path: PathBuf,
+        /// What the template engine said.
+        source: minijinja::Error,
+    },
+}
+
+/// Writes `records.json`, `records.csv`, `report.md`, `index.html` and `plots/*.png` into a folder.
+///
+/// `progress` is called with the pictures done and the pictures in all, from several threads. Each file takes its
+/// final name only when it is whole; pictures that an earlier report left and this one has no match for are removed.
+///
+/// # Errors
+/// A file cannot be written, or a picture or a page cannot be made.
+pub fn write(
+    records: &Records,
+    out: &Path,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<(), ReportError> {
+    write_whole(&out.join("records.json"), records.to_json().as_bytes())?;
+    write_whole(&out.join("records.csv"), records.to_csv().as_bytes())?;
+    let figures = write_pictures(records, &out.join("plots"), progress)?;
+    let page = page::compose(records, &figures);
+    for (name, render) in
+        [("report.md", markdown::render as fn(&page::Page) -> _), ("index.html", html::render)]
+    {
+        let path = out.join(name);
+        let text: String =
+            render(&page).map_err(|source| ReportError::Page { path: path.clone(), source })?;
+        write_whole(&path, text.as_bytes())?;
+    }
+    Ok(())
+}
+
+/// Draws every picture, writes the PNGs and gives back the SVGs.
+fn write_pictures(
+    records: &Records,
+    folder: &Path,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Vec<Figure>, ReportError> {
+    let subjects = plot::subjects(records);
+    let done = AtomicUsize::new(0);
+    let one = |subject: &Subject| {
+        let path = folder.join(subject.file_name());
+        let fault = |plot::Fault(why)| ReportError::Picture { path: path.clone(), why };
+        let figure = match plot::lay_out(records, subject).map_err(fault)? {
+            Some(picture) => Some(write_picture(&picture, &path)?),
+            None => None,
+        };
+        progress(done.fetch_add(1, Ordering::Relaxed) + 1, subjects.len());
+        Ok(figure)
+    };
+    let drawn: Result<Vec<Option<Figure>>, ReportError> = subjects.par_iter().map(one).collect();
+    let figures: Vec<Figure> = drawn?.into_iter().flatten().collect();
+    remove_stale(folder, &figures)?;
+    Ok(figures)
+}
+
+fn write_picture(picture: &Picture, path: &Path) -> Result<Figure, ReportError> {
+    let fault = |plot::Fault(why)| ReportError::Picture { path: path.into(), why };
+    let file_fault = |source| ReportError::File(RecordError::File { path: path.into(), source });
+    // The backend can only encode into a file.
+    let scratch = tempfile::Builder::new().suffix(".png").tempfile().map_err(file_fault)?;
+    write_whole(path, &picture.png(scratch.path()).map_err(fault)?)?;
+    Ok(Figure { subject: picture.subject.clone(), svg: picture.svg().map_err(fault)? })
+}
+
+/// Removes the pictures that this report did not write.
+fn remove_stale(folder: &Path, figures: &[Figure]) -> Result<(), ReportError> {
+    let Ok(entries) = fs::read_dir(folder) else { return Ok(()) };
+    let ours: Vec<String> = figures.iter().map(|figure| figure.subject.file_name()).collect();
+    for path in entries.flatten().map(|entry| entry.path()) {
+        let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+        if name.ends_with(".png") && !name.starts_with('.') && !ours.contains(&name) {
+            fs::remove_file(&path).map_err(|source| RecordError::File { path: path.clone(), source })?;
+        }
+    }
+    Ok(())
+}

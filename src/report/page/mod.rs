@@ -1,0 +1,155 @@
+//! What the HTML and the Markdown report say: every number already in print, with its unit and uncertainty.
+
+mod scene;
+mod tables;
+
+use serde::Serialize;
+
+use crate::record::{Machine, Records, Verdict};
+
+use super::number;
+use super::plot::Subject;
+use super::survey::{self, Outcome};
+
+/// A picture that was drawn.
+pub(super) struct Figure {
+    /// What it shows.
+    pub subject: Subject,
+    /// The picture as an SVG element.
+    pub svg: String,
+}
+
+/// The whole report.
+#[derive(Serialize)]
+pub(super) struct Page {
+    version: String,
+    made_at: String,
+    machine: String,
+    complete: bool,
+    verdict_count: usize,
+    tally: Vec<Count>,
+    attention: Vec<VerdictRow>,
+    schemes: Vec<tables::Scheme>,
+    overview: Option<FigureView>,
+    order_quantities: Vec<String>,
+    orders: Vec<tables::OrderSummary>,
+    drift_figure: Option<FigureView>,
+    drifts: Vec<tables::DriftRow>,
+    scenes: Vec<scene::Scene>,
+}
+
+/// How many verdicts have an outcome.
+#[derive(Serialize)]
+struct Count {
+    class: &'static str,
+    words: &'static str,
+    count: usize,
+}
+
+/// A picture as the templates see it.
+#[derive(Serialize)]
+struct FigureView {
+    file: String,
+    svg: String,
+    caption: String,
+}
+
+/// A verdict in print.
+#[derive(Serialize)]
+struct VerdictRow {
+    class: &'static str,
+    outcome: &'static str,
+    scene: String,
+    anchor: String,
+    scheme: String,
+    claim: String,
+    quantity: String,
+    measured: String,
+    detail: String,
+    known: Option<String>,
+}
+
+impl VerdictRow {
+    fn new(verdict: &Verdict) -> VerdictRow {
+        let outcome = Outcome::of(verdict);
+        VerdictRow {
+            class: outcome.class(),
+            outcome: outcome.words(),
+            scene: verdict.scene.clone(),
+            anchor: survey::file_stem(&verdict.scene),
+            scheme: verdict.scheme.clone(),
+            claim: verdict.claim.clone(),
+            quantity: verdict.quantity.clone(),
+            measured: measured(verdict),
+            detail: verdict.detail.clone(),
+            known: verdict.known_deviation.clone(),
+        }
+    }
+}
+
+/// What was measured, with its interval; the detail of the verdict says the unit.
+fn measured(verdict: &Verdict) -> String {
+    let Some(value) = verdict.measured else { return number::NONE.into() };
+    match (verdict.low, verdict.high) {
+        (Some(low), Some(high)) if verdict.claim == "order" => {
+            number::order(Some(value), Some(low), Some(high))
+        }
+        (Some(low), Some(high)) if low < high => {
+            let [value, low, high] = [value, low, high].map(|number| number::significant(number, 4));
+            format!("{value} [{low}, {high}]")
+        }
+        _ => number::significant(value, 4),
+    }
+}
+
+/// Composes the report from the records and the pictures drawn from them.
+pub(super) fn compose(records: &Records, figures: &[Figure]) -> Page {
+    let counts = survey::tally(records.verdicts.iter());
+    let mut attention: Vec<&Verdict> =
+        records.verdicts.iter().filter(|verdict| Outcome::of(verdict).needs_attention()).collect();
+    attention.sort_by_key(|verdict| Outcome::of(verdict));
+    let (order_quantities, orders) = tables::order_summary(records);
+    Page {
+        version: records.polhode.clone(),
+        made_at: records.made_at.clone(),
+        machine: machine_words(&records.machine),
+        complete: records.complete,
+        verdict_count: records.verdicts.len(),
+        tally: counts
+            .into_iter()
+            .map(|(outcome, count)| Count { class: outcome.class(), words: outcome.words(), count })
+            .collect(),
+        attention: attention.into_iter().map(VerdictRow::new).collect(),
+        schemes: records.schemes.iter().map(|row| tables::Scheme::new(records, row)).collect(),
+        overview: figure(
+            figures,
+            &Subject::Overview,
+            "Errors and measured orders of every scene and scheme.",
+        ),
+        order_quantities,
+        orders,
+        drift_figure: figure(
+            figures,
+            &Subject::DriftRates,
+            "Drift rate of the rotational energy against the step.",
+        ),
+        drifts: records.drifts.iter().map(tables::DriftRow::new).collect(),
+        scenes: survey::scenes(records)
+            .into_iter()
+            .map(|name| scene::Scene::new(records, figures, name))
+            .collect(),
+    }
+}
+
+fn figure(figures: &[Figure], subject: &Subject, caption: &str) -> Option<FigureView> {
+    let drawn = figures.iter().find(|figure| figure.subject == *subject)?;
+    Some(FigureView { file: subject.file_name(), svg: drawn.svg.clone(), caption: caption.into() })
+}
+
+fn machine_words(machine: &Machine) -> String {
+    let threads =
+        if machine.threads > 0 { number::counted(machine.threads, "thread") } else { String::new() };
+    let parts = [&machine.os, &machine.architecture, &machine.processor, &threads];
+    let known: Vec<&str> = parts.into_iter().map(String::as_str).filter(|part| !part.is_empty()).collect();
+    if known.is_empty() { "an unknown machine".into() } else { known.join(", ") }
+}

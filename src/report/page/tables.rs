@@ -1,0 +1,165 @@
+//! The tables of the report: schemes, orders, drifts.
+
+use serde::Serialize;
+
+use crate::record::{Drift, Order, Records, SchemeRow};
+use crate::report::{number, survey};
+
+/// A scheme's card.
+#[derive(Serialize)]
+pub(super) struct Scheme {
+    name: String,
+    title: String,
+    family: String,
+    order: u32,
+    evaluations: u32,
+    claims: Vec<String>,
+    source: String,
+    cost: String,
+}
+
+impl Scheme {
+    pub(super) fn new(records: &Records, row: &SchemeRow) -> Scheme {
+        Scheme {
+            name: row.name.clone(),
+            title: row.title.clone(),
+            family: row.family.clone(),
+            order: row.order,
+            evaluations: row.evaluations,
+            claims: row.claims.clone(),
+            source: row.source.clone(),
+            cost: cost(records, |measured| measured.scheme == row.name),
+        }
+    }
+}
+
+/// The range of the cost of a step over the rows that are asked for.
+pub(super) fn cost(records: &Records, wanted: impl Fn(&crate::record::Measurement) -> bool) -> String {
+    let costs =
+        records.measurements.iter().filter(|row| wanted(row)).filter_map(|row| row.nanoseconds_per_step);
+    let costs: Vec<f64> = costs.filter(|cost| cost.is_finite()).collect();
+    let (Some(low), Some(high)) =
+        (costs.iter().copied().reduce(f64::min), costs.iter().copied().reduce(f64::max))
+    else {
+        return number::NONE.into();
+    };
+    let [low, high] = [low, high].map(|cost| number::significant(cost, 3));
+    if low == high { format!("{low} ns") } else { format!("{low} to {high} ns") }
+}
+
+/// The orders at the end of the run of one scene and scheme, in the columns of the table.
+#[derive(Serialize)]
+pub(super) struct OrderSummary {
+    scene: String,
+    anchor: String,
+    scheme: String,
+    cells: Vec<String>,
+}
+
+/// The quantities that head the columns, and the rows under them.
+pub(super) fn order_summary(records: &Records) -> (Vec<String>, Vec<OrderSummary>) {
+    let at_end = records.orders.iter().map(|row| row.quantity.as_str()).filter(|name| name.ends_with("-end"));
+    let quantities = survey::distinct(at_end);
+    let mut rows = Vec::new();
+    for scene in survey::scenes(records) {
+        for scheme in survey::schemes(records) {
+            let found: Vec<_> =
+                quantities.iter().map(|quantity| survey::order(records, scene, scheme, quantity)).collect();
+            if found.iter().all(Option::is_none) {
+                continue;
+            }
+            let cells = found.into_iter().map(|order| order.map_or(String::new(), order_words)).collect();
+            let anchor = survey::file_stem(scene);
+            rows.push(OrderSummary { scene: scene.into(), anchor, scheme: scheme.into(), cells });
+        }
+    }
+    (quantities.into_iter().map(survey::quantity_words).collect(), rows)
+}
+
+/// An order with its interval, or why there is none.
+pub(super) fn order_words(order: &Order) -> String {
+    match order.status.as_str() {
+        "fitted" => number::order(order.order, order.low, order.high),
+        status => status.replace('-', " "),
+    }
+}
+
+/// One fitted order with everything known about it.
+#[derive(Serialize)]
+pub(super) struct OrderRow {
+    quantity: String,
+    place: &'static str,
+    scheme: String,
+    order: String,
+    constant: String,
+    rungs: String,
+    floor: String,
+    why: String,
+}
+
+impl OrderRow {
+    pub(super) fn new(records: &Records, order: &Order) -> OrderRow {
+        OrderRow {
+            quantity: survey::quantity_words(&order.quantity),
+            place: survey::place_words(&order.quantity),
+            scheme: order.scheme.clone(),
+            order: order_words(order),
+            constant: constant(records, order),
+            rungs: format!("{} of {}", order.rungs_used, order.rungs_used + order.rungs_dropped),
+            floor: number::joined(
+                &order.floor.map_or(number::NONE.into(), |f| number::significant(f, 2)),
+                &order.unit,
+            ),
+            why: order.why.clone().unwrap_or_default(),
+        }
+    }
+}
+
+/// C = e/hᵖ; its uncertainty is how far e/hᵖ strays from it inside the fitted window.
+fn constant(records: &Records, order: &Order) -> String {
+    let (Some(constant), Some(power)) = (order.constant, survey::claimed_order(records, &order.scheme))
+    else {
+        return number::quantity(order.constant, None, &order.unit);
+    };
+    let stray = records
+        .measurements
+        .iter()
+        .filter(|row| row.scene == order.scene && row.scheme == order.scheme && row.metric == order.quantity)
+        .filter(|row| survey::in_window(order, row.step_s))
+        .filter_map(|row| Some((row.value?.abs() / row.step_s.powi(power as i32) - constant).abs()))
+        .reduce(f64::max);
+    let unit = if order.unit == "1" || order.unit.is_empty() { "1" } else { &order.unit };
+    let per = if power == 1 { "/s".to_string() } else { format!("/s{}", number::superscript(power as i32)) };
+    number::quantity(Some(constant), stray, &format!("{unit}{per}"))
+}
+
+/// A conserved quantity's drift.
+#[derive(Serialize)]
+pub(super) struct DriftRow {
+    pub(super) scene: String,
+    anchor: String,
+    scheme: String,
+    quantity: String,
+    class: String,
+    rate_order: String,
+    rate: String,
+    level: String,
+    step: String,
+}
+
+impl DriftRow {
+    pub(super) fn new(drift: &Drift) -> DriftRow {
+        let rate_unit = format!("{}/s", if drift.unit.is_empty() { "1" } else { &drift.unit });
+        DriftRow {
+            scene: drift.scene.clone(),
+            anchor: survey::file_stem(&drift.scene),
+            scheme: drift.scheme.clone(),
+            quantity: survey::quantity_words(&drift.quantity),
+            class: drift.class.clone(),
+            rate_order: number::order(drift.rate_order, drift.low, drift.high),
+            rate: number::quantity(drift.rate, None, &rate_unit),
+            level: number::quantity(drift.level, None, &drift.unit),
+            step: drift.step_s.map_or(number::NONE.into(), |step| format!("{} s", number::setting(step))),
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! Per scene: the error of every quantity at the end of the run against the time step.
+
+use crate::record::Records;
+use crate::report::{number, survey};
+
+use super::convergence_panel::{self, label_words};
+use super::curves::{self, Quantity};
+use super::labels;
+use super::legend::{self, Entry, Sign};
+use super::palette::Palette;
+use super::panel::{self, Frame};
+use super::sketch::Sketch;
+
+const WIDTH: f64 = 2600.0;
+const TOP: f64 = 150.0;
+const MARGIN: f64 = 30.0;
+
+/// The picture; `None` where the scene has no errors at all.
+pub(super) fn sketch(records: &Records, palette: &Palette, scene: &str) -> Option<Sketch> {
+    let quantities = curves::at_the_end(records, scene);
+    if quantities.is_empty() {
+        return None;
+    }
+    let (exact, drawn): (Vec<_>, Vec<_>) = quantities.into_iter().partition(Quantity::is_exact);
+    let cells = drawn.len() + usize::from(!exact.is_empty());
+    let grid = grid(cells);
+    let entries = entries(palette, &drawn);
+    let room = WIDTH - 2.0 * MARGIN - 20.0;
+    let strip = legend::height(&entries, room);
+    let height = TOP + grid.1 as f64 * row_height(grid) + strip + 2.0 * MARGIN;
+    let title = survey::title(records, scene);
+    let mut sketch = Sketch::new(WIDTH, height, format!("{title}: error at the end against the time step"));
+    panel::headline(&mut sketch, title, &subtitle(records, scene));
+    let all = Frame { left: MARGIN, top: TOP, right: WIDTH - MARGIN, bottom: height - strip - 2.0 * MARGIN };
+    let words: Vec<String> = drawn.iter().flat_map(|one| one.curves.iter().map(label_words)).collect();
+    let column = labels::column_width(words.iter().map(String::as_str));
+    for (index, quantity) in drawn.iter().enumerate() {
+        convergence_panel::draw(&mut sketch, palette, quantity, all.cell(grid, index), column);
+    }
+    if !exact.is_empty() {
+        note_exact(&mut sketch, &exact, all.cell(grid, drawn.len()));
+    }
+    legend::draw(&mut sketch, &entries, MARGIN + 20.0, height - strip - MARGIN, room);
+    Some(sketch)
+}
+
+/// Columns and rows for so many panels.
+fn grid(cells: usize) -> (usize, usize) {
+    let columns = match cells {
+        0..=3 => cells.max(1),
+        4 => 2,
+        _ => 3,
+    };
+    (columns, cells.div_ceil(columns))
+}
+
+fn row_height((_, rows): (usize, usize)) -> f64 {
+    if rows == 1 { 960.0 } else { 680.0 }
+}
+
+fn subtitle(records: &Records, scene: &str) -> String {
+    let mut text = format!("{scene} · error at the end of the run against the time step");
+    if let Some(row) = survey::scene(records, scene) {
+        text += &format!(" · T = {} s", number::setting(row.duration_s));
+        if row.not_for_order.is_some() {
+            text += " · no order is claimed here";
+        }
+    }
+    text
+}
+
+fn entries(palette: &Palette, drawn: &[Quantity]) -> Vec<Entry> {
+    let curves = || drawn.iter().flat_map(|quantity| &quantity.curves);
+    let shown = palette.schemes().iter().filter(|scheme| curves().any(|curve| curve.scheme == **scheme));
+    let mut entries: Vec<Entry> =
+        shown.map(|scheme| Entry::new(Sign::Scheme(palette.look(scheme)), *scheme)).collect();
+    if curves().any(|curve| curve.rungs.iter().any(|rung| !rung.used)) {
+        entries.push(Entry::new(Sign::Hollow, "left out of the fit"));
+    }
+    if drawn.iter().any(|quantity| !quantity.guide_orders().is_empty()) {
+        entries.push(Entry::new(Sign::Guide, "guide of whole slope"));
+    }
+    if drawn.iter().any(|quantity| quantity.floor().is_some()) {
+        entries.push(Entry::new(Sign::Band, "floor: reference or rounding"));
+    }
+    if curves().any(|curve| !curve.broken.is_empty()) {
+        entries.push(Entry::new(Sign::Cross, "run broke"));
+    }
+    entries
+}
+
+fn note_exact(sketch: &mut Sketch, exact: &[Quantity], cell: Frame) {
+    let line = |quantity: &Quantity| {
+        let largest = quantity.curves.iter().map(|curve| curve.largest()).fold(f64::NEG_INFINITY, f64::max);
+        let name = survey::quantity_words(quantity.name);
+        if largest == f64::NEG_INFINITY {
+            return format!("{name}: no error at all");
+        }
+        let bound = number::joined(&number::significant(10f64.powf(largest), 2), quantity.unit);
+        format!("{name}: error at most {bound}")
+    };
+    let lines: Vec<String> = exact.iter().map(line).collect();
+    panel::words(sketch, cell.inside(50.0, 66.0, 30.0, 110.0), "Exact for every scheme", &lines);
+}

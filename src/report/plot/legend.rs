@@ -1,0 +1,101 @@
+//! The legend: a strip of its own under the panels, so that it never covers a curve.
+
+use super::palette::{BAND, GUIDE, INK, Look, SOFT, tint};
+use super::sketch::{Anchor, Place, Sketch, Type};
+
+const FACE: Type = Type::plain(30.0, INK);
+/// Width of the sign before an entry's words.
+const SIGN: f64 = 76.0;
+/// Between an entry and the next.
+const GAP: f64 = 52.0;
+/// Height of a row.
+pub(super) const ROW: f64 = 50.0;
+
+/// The sign of an entry.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Sign {
+    /// A scheme's line with its marker.
+    Scheme(Look),
+    /// A hollow marker.
+    Hollow,
+    /// A filled marker.
+    Filled,
+    /// A grey band.
+    Band,
+    /// A dashed line.
+    Guide,
+    /// The cross of a broken run.
+    Cross,
+}
+
+/// An entry: its sign and its words.
+#[derive(Clone, Debug)]
+pub(super) struct Entry {
+    /// The sign.
+    pub sign: Sign,
+    /// The words.
+    pub words: String,
+}
+
+impl Entry {
+    /// An entry.
+    pub(super) fn new(sign: Sign, words: impl Into<String>) -> Entry {
+        Entry { sign, words: words.into() }
+    }
+
+    fn width(&self) -> f64 {
+        SIGN + FACE.width(&self.words) + GAP
+    }
+}
+
+/// The entries broken into rows that are no wider than the room.
+fn rows(entries: &[Entry], room: f64) -> Vec<Vec<&Entry>> {
+    let mut rows: Vec<Vec<&Entry>> = Vec::new();
+    let mut used = f64::INFINITY;
+    for entry in entries {
+        if used + entry.width() > room + GAP {
+            rows.push(Vec::new());
+            used = 0.0;
+        }
+        used += entry.width();
+        if let Some(row) = rows.last_mut() {
+            row.push(entry);
+        }
+    }
+    rows
+}
+
+/// Height of the strip that the entries need.
+pub(super) fn height(entries: &[Entry], room: f64) -> f64 {
+    rows(entries, room).len() as f64 * ROW
+}
+
+/// Draws the entries in rows, the first at this height.
+pub(super) fn draw(sketch: &mut Sketch, entries: &[Entry], left: f64, top: f64, room: f64) {
+    for (index, row) in rows(entries, room).into_iter().enumerate() {
+        let y = top + ROW * (index as f64 + 0.5);
+        let mut x = left;
+        for entry in row {
+            draw_sign(sketch, entry.sign, (x, y));
+            sketch.text(&entry.words, (x + SIGN, y), Anchor::Start, FACE);
+            x += entry.width();
+        }
+    }
+}
+
+fn draw_sign(sketch: &mut Sketch, sign: Sign, (x, y): Place) {
+    const LENGTH: f64 = 58.0;
+    let middle = (x + LENGTH / 2.0, y);
+    let (from, to) = ((x, y), (x + LENGTH, y));
+    match sign {
+        Sign::Scheme(look) => {
+            sketch.line(vec![from, to], look.ink, 5.0);
+            sketch.marker(look.marker, middle, 11.0, look.ink, true);
+        }
+        Sign::Hollow => sketch.marker(super::palette::Marker::Disc, middle, 11.0, SOFT, false),
+        Sign::Filled => sketch.marker(super::palette::Marker::Disc, middle, 11.0, SOFT, true),
+        Sign::Band => sketch.area((x, y - 14.0), (x + LENGTH, y + 14.0), tint(BAND, 1.0)),
+        Sign::Guide => sketch.dashes(from, to, GUIDE, 3.0),
+        Sign::Cross => sketch.cross(middle, 10.0, SOFT),
+    }
+}

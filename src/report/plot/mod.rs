@@ -1,0 +1,96 @@
+//! The pictures of a report: which there are, and how each is drawn.
+
+mod axis;
+mod convergence;
+mod convergence_panel;
+mod curves;
+mod drift;
+mod font;
+mod invariants;
+mod labels;
+mod legend;
+mod overview;
+mod overview_panels;
+mod palette;
+mod panel;
+mod render;
+mod sketch;
+
+use std::path::Path;
+
+use crate::record::Records;
+
+use super::survey;
+use palette::Palette;
+pub(super) use render::Fault;
+use sketch::Sketch;
+
+/// What a picture shows.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Subject {
+    /// Everything at a glance.
+    Overview,
+    /// Drift of the rotational energy in every scene.
+    DriftRates,
+    /// Errors of one scene against the step.
+    Convergence(String),
+    /// Invariants of one scene against time.
+    Invariants(String),
+}
+
+impl Subject {
+    /// File name inside the folder of plots.
+    pub(super) fn file_name(&self) -> String {
+        match self {
+            Subject::Overview => "overview.png".into(),
+            Subject::DriftRates => "drift-rates.png".into(),
+            Subject::Convergence(scene) => format!("{}-convergence.png", survey::file_stem(scene)),
+            Subject::Invariants(scene) => format!("{}-invariants.png", survey::file_stem(scene)),
+        }
+    }
+}
+
+/// A picture, laid out and ready to be drawn.
+pub(super) struct Picture {
+    /// What it shows.
+    pub subject: Subject,
+    sketch: Sketch,
+}
+
+impl Picture {
+    /// The picture as PNG bytes; `scratch` names a file, ending in `.png`, that may be overwritten.
+    pub(super) fn png(&self, scratch: &Path) -> Result<Vec<u8>, Fault> {
+        render::png(&self.sketch, scratch)
+    }
+
+    /// The picture as an SVG element.
+    pub(super) fn svg(&self) -> Result<String, Fault> {
+        render::svg(&self.sketch)
+    }
+}
+
+/// Everything that the records may have a picture of.
+pub(super) fn subjects(records: &Records) -> Vec<Subject> {
+    let mut subjects = vec![Subject::Overview, Subject::DriftRates];
+    for scene in survey::scenes(records) {
+        subjects.push(Subject::Convergence(scene.into()));
+        subjects.push(Subject::Invariants(scene.into()));
+    }
+    subjects
+}
+
+/// Lays a picture out; `None` where the records hold nothing to draw.
+///
+/// # Errors
+/// The bundled typeface cannot be read.
+pub(super) fn lay_out(records: &Records, subject: &Subject) -> Result<Option<Picture>, Fault> {
+    font::register().map_err(|why| Fault(why.into()))?;
+    let palette = Palette::new(survey::schemes(records));
+    let sketch = match subject {
+        Subject::Overview => overview::sketch(records, &palette),
+        Subject::DriftRates => drift::sketch(records, &palette),
+        Subject::Convergence(scene) => convergence::sketch(records, &palette, scene),
+        Subject::Invariants(scene) => invariants::sketch(records, &palette, scene),
+    };
+    Ok(sketch.map(|sketch| Picture { subject: subject.clone(), sketch }))
+}

@@ -1,0 +1,123 @@
+//! From a sketch to a PNG or an SVG: the same shapes on either backend of plotters.
+
+use std::path::Path;
+
+use plotters::coord::Shift;
+use plotters::element::{Circle, PathElement, Polygon, Text};
+use plotters::prelude::{
+    BitMapBackend, Color, DrawingArea, DrawingBackend, IntoDrawingArea, SVGBackend, WHITE,
+};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::style::{FontStyle, IntoFont, TextStyle};
+
+use super::font;
+use super::sketch::{Anchor, Place, Shape, Sketch, Type};
+
+/// A picture that could not be drawn, in the words of the backend.
+#[derive(Clone, Debug)]
+pub(in crate::report) struct Fault(pub String);
+
+fn fault(error: impl std::fmt::Display) -> Fault {
+    Fault(error.to_string())
+}
+
+/// The PNG is drawn so many times larger and then averaged: the backend does not smooth thick lines itself.
+const OVERSAMPLING: usize = 2;
+
+/// What differs between the backends.
+struct Pen {
+    /// Backend pixels a picture unit.
+    zoom: f64,
+    /// The backend's font size for an em of 1.
+    size_per_em: f64,
+    /// From the middle of a capital letter to where the backend wants the centre of a text [em].
+    drop_em: f64,
+}
+
+/// The bitmap backend sets the baseline 0.097 font sizes below the centre; a capital's middle is 0.36 em above it.
+const BITMAP: Pen = Pen { zoom: OVERSAMPLING as f64, size_per_em: font::HEIGHT_PER_EM, drop_em: 0.247 };
+
+/// The SVG backend divides font sizes by 1.24 and sets the baseline 0.5 ex (about 0.26 em) below the centre.
+const VECTOR: Pen = Pen { zoom: 1.0, size_per_em: 1.24, drop_em: 0.10 };
+
+/// The picture as PNG bytes; `scratch` is a file name ending in `.png` that may be overwritten.
+pub(super) fn png(sketch: &Sketch, scratch: &Path) -> Result<Vec<u8>, Fault> {
+    let (width, height) = sketch.size;
+    let large = (width * OVERSAMPLING as u32, height * OVERSAMPLING as u32);
+    let mut pixels = vec![255; large.0 as usize * large.1 as usize * 3];
+    paint(sketch, BitMapBackend::with_buffer(&mut pixels, large).into_drawing_area(), &BITMAP)?;
+    let averaged = average(&pixels, width as usize, height as usize);
+    let mut file = BitMapBackend::new(scratch, sketch.size);
+    file.blit_bitmap((0, 0), sketch.size, &averaged).map_err(fault)?;
+    file.present().map_err(fault)?;
+    std::fs::read(scratch).map_err(fault)
+}
+
+/// Every pixel the mean of the four that it was drawn with.
+fn average(pixels: &[u8], width: usize, height: usize) -> Vec<u8> {
+    let row_bytes = width * OVERSAMPLING * 3;
+    let mut averaged = Vec::with_capacity(width * height * 3);
+    for rows in pixels.chunks_exact(row_bytes * OVERSAMPLING) {
+        let (upper, lower) = rows.split_at(row_bytes);
+        for (above, below) in upper.chunks_exact(6).zip(lower.chunks_exact(6)) {
+            for channel in 0..3 {
+                let sum = [above[channel], above[channel + 3], below[channel], below[channel + 3]];
+                averaged.push((sum.iter().map(|&part| u16::from(part)).sum::<u16>() / 4) as u8);
+            }
+        }
+    }
+    averaged
+}
+
+/// The picture as an SVG element that scales with the page.
+pub(super) fn svg(sketch: &Sketch) -> Result<String, Fault> {
+    let (width, height) = sketch.size;
+    let mut text = String::new();
+    paint(sketch, SVGBackend::with_string(&mut text, sketch.size).into_drawing_area(), &VECTOR)?;
+    let fixed = format!("<svg width=\"{width}\" height=\"{height}\"");
+    let label = sketch.description.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
+    let scaling = format!("<svg role=\"img\" aria-label=\"{label}\"");
+    let text = text.replacen(&fixed, &scaling, 1);
+    Ok(text.replace(" opacity=\"1\"", "").replace(" font-family=\"sans-serif\"", "").replace(">\n", ">"))
+}
+
+fn paint<B: DrawingBackend>(sketch: &Sketch, area: DrawingArea<B, Shift>, pen: &Pen) -> Result<(), Fault> {
+    area.fill(&WHITE).map_err(fault)?;
+    for shape in &sketch.shapes {
+        draw(shape, &area, pen)?;
+    }
+    area.present().map_err(fault)
+}
+
+fn draw<B: DrawingBackend>(shape: &Shape, area: &DrawingArea<B, Shift>, pen: &Pen) -> Result<(), Fault> {
+    let at = |(x, y): Place| ((x * pen.zoom).round() as i32, (y * pen.zoom).round() as i32);
+    match shape {
+        Shape::Line { places, ink, width } => {
+            let stroke = (width * pen.zoom).round().max(1.0) as u32;
+            let places: Vec<_> = places.iter().map(|place| at(*place)).collect();
+            area.draw(&PathElement::new(places, ink.stroke_width(stroke))).map_err(fault)
+        }
+        Shape::Area { corners, ink } => {
+            let corners: Vec<_> = corners.iter().map(|place| at(*place)).collect();
+            area.draw(&Polygon::new(corners, ink.filled())).map_err(fault)
+        }
+        Shape::Disc { centre, radius, ink } => area
+            .draw(&Circle::new(at(*centre), (radius * pen.zoom).round() as i32, ink.filled()))
+            .map_err(fault),
+        Shape::Text { text, place, anchor, face } => {
+            let place = (place.0, place.1 + face.em * pen.drop_em);
+            area.draw(&Text::new(text.as_str(), at(place), text_style(face, *anchor, pen))).map_err(fault)
+        }
+    }
+}
+
+fn text_style<'a>(face: &'a Type, anchor: Anchor, pen: &Pen) -> TextStyle<'a> {
+    let weight = if face.bold { FontStyle::Bold } else { FontStyle::Normal };
+    let font = ("sans-serif", face.em * pen.size_per_em * pen.zoom, weight).into_font();
+    let side = match anchor {
+        Anchor::Start => HPos::Left,
+        Anchor::Middle => HPos::Center,
+        Anchor::End => HPos::Right,
+    };
+    TextStyle::from(font).color(&face.ink).pos(Pos::new(side, VPos::Center))
+}
