@@ -1,5 +1,7 @@
 //! The built-in scenes: all are read, and start as their stored solutions do.
 
+#![allow(clippy::excessive_precision, reason = "digits as the stored solutions print them")]
+
 use std::path::PathBuf;
 
 use nalgebra::Vector3;

@@ -1,6 +1,6 @@
 //! Bad heads and bodies, each with the line and key that it is refused with.
 
-use crate::given::{Bad, INERTIA, POINTS, assert_refused, body, head};
+use crate::given::{Bad, POINTS, assert_refused, body, head};
 
 #[test]
 fn a_bad_head_is_refused_with_line_and_key() {
