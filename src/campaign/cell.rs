@@ -35,6 +35,9 @@ pub(super) fn measure(
     series: bool,
 ) -> Cell {
     let system = &scene.system;
+    if let Some(reason) = contestant.refusal(system) {
+        return refused(scene, contestant, reason);
+    }
     let fastest = fastest(reference);
     let evidence = metrics::climb(contestant, system, reference, contestant.card.order());
     let drift = metrics::energy_drift(contestant, system, scene.duration);
@@ -63,6 +66,20 @@ pub(super) fn measure(
         verdicts,
         series: if series { against_time(&names, scene, contestant, &evidence) } else { Vec::new() },
         reduction: points.as_ref().map(|points| (points.difference, points.speedup)),
+    }
+}
+
+/// A scheme that cannot take the scene: not applicable, with the reason, for every claim.
+fn refused(scene: &Scene, contestant: &Contestant, reason: &str) -> Cell {
+    let names =
+        rows::Names { scene: &scene.name, scheme: contestant.card.name, model: scene.system.least().name() };
+    Cell {
+        measurements: vec![rows::not_applicable(&names, reason)],
+        orders: Vec::new(),
+        drifts: Vec::new(),
+        verdicts: gates::refuse(&scene.name, &contestant.card, reason),
+        series: Vec::new(),
+        reduction: None,
     }
 }
 

@@ -106,6 +106,20 @@ fn rung_rows(names: &Names, rung: &Rung) -> Vec<Measurement> {
     rows
 }
 
+/// The row of a scheme that cannot take a scene.
+pub(super) fn not_applicable(names: &Names, reason: &str) -> Measurement {
+    Measurement {
+        scene: names.scene.to_owned(),
+        scheme: names.scheme.to_owned(),
+        model: names.model.to_owned(),
+        metric: "all".to_owned(),
+        unit: "1".to_owned(),
+        status: "not-applicable".to_owned(),
+        why: Some(reason.to_owned()),
+        ..Measurement::default()
+    }
+}
+
 pub(super) fn orders(names: &Names, evidence: &Evidence) -> Vec<Order> {
     evidence.ladders.iter().map(|ladder| order(names, ladder)).collect()
 }

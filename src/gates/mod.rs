@@ -96,6 +96,22 @@ pub fn judge(case: &Case) -> Vec<Verdict> {
     verdicts
 }
 
+/// The verdicts of a scheme that cannot take a scene: every claim not applicable, with the reason.
+pub fn refuse(scene: &str, card: &Card, reason: &str) -> Vec<Verdict> {
+    card.claims
+        .iter()
+        .map(|claim| Verdict {
+            scene: scene.to_owned(),
+            scheme: card.name.to_owned(),
+            claim: claim.name().to_owned(),
+            quantity: "all".to_owned(),
+            verdict: Ruling::NotApplicable,
+            detail: reason.to_owned(),
+            ..Verdict::default()
+        })
+        .collect()
+}
+
 /// Exit code of a gate: 1 where a claim failed or a run broke, 2 where nothing failed but something is
 /// undecided, 0 where all holds. Known deviations do not count.
 pub fn exit_code(verdicts: &[Verdict]) -> u8 {

@@ -8,7 +8,7 @@ const LARGEST: f64 = 1e-12;
 
 pub(super) fn judge(case: &Case) -> Vec<Verdict> {
     let Some(points) = case.points else {
-        let detail = "the body has no point form";
+        let detail = "no point form: the body has none, or the scheme takes none";
         return vec![super::ruled(case, "reduction", "all", Ruling::NotApplicable, detail)];
     };
     let detail = format!(

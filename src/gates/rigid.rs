@@ -11,7 +11,7 @@ fn rounding(steps: u64) -> f64 {
 
 pub(super) fn judge(case: &Case) -> Vec<Verdict> {
     let Some(points) = case.points else {
-        let detail = "the body has no point form";
+        let detail = "no point form: the body has none, or the scheme takes none";
         return vec![ruled(case, "rigid", "rigidity", Ruling::NotApplicable, detail)];
     };
     let bound = rounding(points.steps);

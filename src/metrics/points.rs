@@ -32,8 +32,11 @@ pub struct PointRun {
     pub speedup: Option<f64>,
 }
 
-/// Runs both forms for 1,000 steps; `None` where the body has no points.
+/// Runs both forms for 1,000 steps; `None` where the body has no points or the scheme takes none.
 pub fn point_run(contestant: &Contestant, system: &System, duration: f64, fastest: f64) -> Option<PointRun> {
+    if !contestant.takes_points() {
+        return None;
+    }
     let points = system.points().ok()?;
     let steepest = if fastest > 0.0 { TURN / fastest } else { duration };
     let step = steepest.min(duration / STEPS as f64);
