@@ -38,6 +38,7 @@ fn png_size(path: &Path) -> (u32, u32) {
 #[test]
 fn a_whole_report_has_every_file_and_every_picture_is_large() {
     let records = synthetic();
+    // A folder that stays, for those who want to look at the pictures.
     let folder = match std::env::var_os("POLHODE_REPORT_OUT") {
         Some(path) => PathBuf::from(path),
         None => tempfile::tempdir().unwrap().keep(),
@@ -46,9 +47,7 @@ fn a_whole_report_has_every_file_and_every_picture_is_large() {
     let count = |_, _| {
         calls.fetch_add(1, Ordering::Relaxed);
     };
-    let start = std::time::Instant::now();
     report::write(&records, &folder, &count).unwrap();
-    eprintln!("report of {SCENES} scenes written in {:.1} s", start.elapsed().as_secs_f64());
     for name in ["records.json", "records.csv", "report.md", "index.html"] {
         assert!(fs::metadata(folder.join(name)).unwrap().len() > 1000, "{name}");
     }

@@ -128,7 +128,11 @@ fn constant(records: &Records, order: &Order) -> String {
         .filter(|row| survey::in_window(order, row.step_s))
         .filter_map(|row| Some((row.value?.abs() / row.step_s.powi(power as i32) - constant).abs()))
         .reduce(f64::max);
-    let unit = if order.unit == "1" || order.unit.is_empty() { "1" } else { &order.unit };
+    let unit = match order.unit.as_str() {
+        "" => "1".to_string(),
+        ratio if ratio.contains('/') => format!("({ratio})"),
+        plain => plain.to_string(),
+    };
     let per = if power == 1 { "/s".to_string() } else { format!("/s{}", number::superscript(power as i32)) };
     number::quantity(Some(constant), stray, &format!("{unit}{per}"))
 }
