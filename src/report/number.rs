@@ -42,13 +42,13 @@ pub(super) fn significant(value: f64, digits: usize) -> String {
     format!("{}×10{}", minus(&format!("{scaled:.*}", digits.saturating_sub(1))), superscript(power))
 }
 
-/// A setting, such as a time step: four significant digits without the zeros that say nothing.
+/// A setting, such as a time step: five significant digits without the zeros that say nothing.
 pub(super) fn setting(value: f64) -> String {
-    let text = significant(value, 4);
-    if text.contains('.') && !text.contains('×') {
-        return text.trim_end_matches('0').trim_end_matches('.').to_string();
-    }
-    text
+    let text = significant(value, 5);
+    let (digits, power) = text.split_at(text.find('×').unwrap_or(text.len()));
+    let short =
+        if digits.contains('.') { digits.trim_end_matches('0').trim_end_matches('.') } else { digits };
+    format!("{short}{power}")
 }
 
 /// A value with its uncertainty: `0.1235 ± 0.0002`, `(1.23 ± 0.02)×10⁻⁸`, `1.23×10⁻⁸`.
@@ -120,6 +120,14 @@ mod tests {
         assert_eq!(significant(0.0, 3), "0");
         assert_eq!(significant(9.9999, 3), "10.0");
         assert_eq!(significant(f64::NAN, 3), NONE);
+    }
+
+    #[test]
+    fn settings_are_printed_without_idle_zeros() {
+        assert_eq!(setting(0.0078125), "0.0078125");
+        assert_eq!(setting(8.0), "8");
+        assert_eq!(setting(100.0), "100");
+        assert_eq!(setting(1e-4), "1×10⁻⁴");
     }
 
     #[test]

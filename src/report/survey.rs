@@ -3,6 +3,8 @@
 
 use crate::record::{Order, Records, Ruling, SceneRow, Verdict};
 
+use super::number;
+
 /// The result of a verdict as the report counts it: the five rulings, and failures that are known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Outcome {
@@ -85,7 +87,10 @@ pub(super) fn tally_words(tally: &[(Outcome, usize)]) -> String {
     let words: Vec<String> = tally
         .iter()
         .filter(|(_, count)| *count > 0)
-        .map(|(outcome, count)| format!("{count} {}", outcome.words()))
+        .map(|(outcome, count)| match outcome {
+            Outcome::KnownDeviation => number::counted(*count, outcome.words()),
+            _ => format!("{count} {}", outcome.words()),
+        })
         .collect();
     if words.is_empty() { "no verdicts".into() } else { words.join(", ") }
 }

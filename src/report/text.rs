@@ -1,6 +1,6 @@
 //! The verdicts for the terminal.
 
-use comfy_table::{Attribute, Cell, ContentArrangement, Table, presets};
+use comfy_table::{Attribute, Cell, ContentArrangement, Table, TableComponent, presets};
 
 use crate::record::{Records, Verdict};
 
@@ -34,6 +34,7 @@ fn table(header: &[&str]) -> Table {
 
 fn counts_table(records: &Records) -> Table {
     let mut table = table(&["scene", "scheme", "worst", "verdicts"]);
+    table.remove_style(TableComponent::HorizontalLines);
     for scene in survey::scenes(records) {
         for scheme in survey::schemes(records) {
             let mine = records.verdicts.iter().filter(|row| row.scene == scene && row.scheme == scheme);
@@ -45,15 +46,14 @@ fn counts_table(records: &Records) -> Table {
 }
 
 fn detail_table(verdicts: &[&Verdict]) -> Table {
-    let mut table = table(&["verdict", "scene: scheme", "claim: quantity", "detail"]);
+    let mut table = table(&["verdict", "what", "detail"]);
     for verdict in verdicts {
         let outcome = Outcome::of(verdict);
         let reason =
             verdict.known_deviation.as_ref().map(|why| format!("\nknown: {why}")).unwrap_or_default();
         table.add_row([
             outcome.words().to_string(),
-            format!("{}: {}", verdict.scene, verdict.scheme),
-            format!("{}: {}", verdict.claim, verdict.quantity),
+            format!("{}: {}\n{}: {}", verdict.scene, verdict.scheme, verdict.claim, verdict.quantity),
             format!("{}{reason}", verdict.detail),
         ]);
     }

@@ -29,6 +29,7 @@ pub(super) struct Page {
     verdict_count: usize,
     tally: Vec<Count>,
     attention: Vec<VerdictRow>,
+    broken_runs: Vec<tables::BrokenRun>,
     schemes: Vec<tables::Scheme>,
     overview: Option<FigureView>,
     order_quantities: Vec<String>,
@@ -120,6 +121,7 @@ pub(super) fn compose(records: &Records, figures: &[Figure]) -> Page {
             .map(|(outcome, count)| Count { class: outcome.class(), words: outcome.words(), count })
             .collect(),
         attention: attention.into_iter().map(VerdictRow::new).collect(),
+        broken_runs: tables::broken_runs(records),
         schemes: records.schemes.iter().map(|row| tables::Scheme::new(records, row)).collect(),
         overview: figure(
             figures,

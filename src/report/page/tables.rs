@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::record::{Drift, Order, Records, SchemeRow};
+use crate::record::{Drift, Measurement, Order, Records, SchemeRow};
 use crate::report::{number, survey};
 
 /// A scheme's card.
@@ -34,7 +34,7 @@ impl Scheme {
 }
 
 /// The range of the cost of a step over the rows that are asked for.
-pub(super) fn cost(records: &Records, wanted: impl Fn(&crate::record::Measurement) -> bool) -> String {
+pub(super) fn cost(records: &Records, wanted: impl Fn(&Measurement) -> bool) -> String {
     let costs =
         records.measurements.iter().filter(|row| wanted(row)).filter_map(|row| row.nanoseconds_per_step);
     let costs: Vec<f64> = costs.filter(|cost| cost.is_finite()).collect();
@@ -128,7 +128,11 @@ fn constant(records: &Records, order: &Order) -> String {
         .filter(|row| survey::in_window(order, row.step_s))
         .filter_map(|row| Some((row.value?.abs() / row.step_s.powi(power as i32) - constant).abs()))
         .reduce(f64::max);
-    let unit = if order.unit == "1" || order.unit.is_empty() { "1" } else { &order.unit };
+    let unit = match order.unit.as_str() {
+        "" => "1".to_string(),
+        ratio if ratio.contains('/') => format!("({ratio})"),
+        plain => plain.to_string(),
+    };
     let per = if power == 1 { "/s".to_string() } else { format!("/s{}", number::superscript(power as i32)) };
     number::quantity(Some(constant), stray, &format!("{unit}{per}"))
 }
@@ -162,4 +166,29 @@ impl DriftRow {
             step: drift.step_s.map_or(number::NONE.into(), |step| format!("{} s", number::setting(step))),
         }
     }
+}
+
+/// A run that did not reach its end.
+#[derive(Serialize)]
+pub(super) struct BrokenRun {
+    scene: String,
+    anchor: String,
+    scheme: String,
+    step: String,
+    why: String,
+}
+
+/// The runs that broke, each once however many metrics it left without a value.
+pub(super) fn broken_runs(records: &Records) -> Vec<BrokenRun> {
+    let broken = records.measurements.iter().filter(|row| row.status == "broken");
+    let mut seen = std::collections::HashSet::new();
+    let first = broken.filter(|row| seen.insert((&row.scene, &row.scheme, row.step_s.to_bits(), &row.why)));
+    let run = |row: &Measurement| BrokenRun {
+        scene: row.scene.clone(),
+        anchor: survey::file_stem(&row.scene),
+        scheme: row.scheme.clone(),
+        step: format!("{} s", number::setting(row.step_s)),
+        why: row.why.clone().unwrap_or_else(|| "no reason recorded".into()),
+    };
+    first.map(run).collect()
 }

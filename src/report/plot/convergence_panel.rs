@@ -80,7 +80,8 @@ fn draw_floor(sketch: &mut Sketch, panel: &Panel, quantity: &Quantity) {
         let top = panel.along(floor.min(panel.y.high));
         sketch.area((left, top), (right, bottom), BAND);
     } else {
-        let words = format!("↓ floor {}", number::significant(10f64.powf(floor), 1));
+        let level = number::joined(&number::significant(10f64.powf(floor), 1), quantity.unit);
+        let words = format!("↓ floor {level}");
         sketch.text(&words, (right - 16.0, bottom - 36.0), Anchor::End, TICK);
     }
 }

@@ -16,6 +16,8 @@ pub(super) struct Rung {
     pub error: f64,
     /// True where the run belongs to the fit.
     pub used: bool,
+    /// True where the error is no larger than its own uncertainty.
+    pub lost: bool,
 }
 
 /// The ladder of one scheme.
@@ -31,10 +33,13 @@ pub(super) struct Curve<'a> {
 }
 
 impl Curve<'_> {
-    /// True where the gate found the error to be rounding at every step, or every error is zero.
+    /// True where the gate found the error to be rounding at every step; where the gate did not look, where no
+    /// error is larger than its uncertainty.
     pub(super) fn is_exact(&self) -> bool {
-        let zero = !self.rungs.is_empty() && self.rungs.iter().all(|rung| rung.error == f64::NEG_INFINITY);
-        zero || self.order.is_some_and(|order| order.status == "exact")
+        match self.order {
+            Some(order) => order.status == "exact",
+            None => !self.rungs.is_empty() && self.rungs.iter().all(|rung| rung.lost),
+        }
     }
 
     /// The largest error, log₁₀.
@@ -120,7 +125,8 @@ pub(super) fn curve<'a>(scheme: &'a str, rows: &[&Measurement], order: Option<&'
         .filter_map(|row| {
             let error = row.value.filter(|value| value.is_finite())?.abs().log10();
             let used = order.is_some_and(|order| survey::in_window(order, row.step_s));
-            Some(Rung { step: row.step_s.log10(), error, used })
+            let lost = row.value.map(f64::abs) <= Some(row.uncertainty.unwrap_or(0.0));
+            Some(Rung { step: row.step_s.log10(), error, used, lost })
         })
         .collect();
     rungs.sort_by(|a, b| a.step.total_cmp(&b.step));

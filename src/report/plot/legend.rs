@@ -9,7 +9,7 @@ const SIGN: f64 = 76.0;
 /// Between an entry and the next.
 const GAP: f64 = 52.0;
 /// Height of a row.
-pub(super) const ROW: f64 = 50.0;
+const ROW: f64 = 50.0;
 
 /// The sign of an entry.
 #[derive(Clone, Copy, Debug)]

@@ -26,7 +26,10 @@ pub(super) fn sketch(records: &Records, palette: &Palette) -> Option<Sketch> {
     let quantity = QUANTITIES.into_iter().find(fitted)?;
     let scenes = ordered_scenes(records);
     let body = (ROW * scenes.len() as f64 + 40.0).clamp(900.0, 1900.0);
-    let height = TOP + body + 120.0 + legend::ROW + MARGIN;
+    let entries = entries(palette, quantity);
+    let room = WIDTH - 2.0 * MARGIN;
+    let strip = legend::height(&entries, room);
+    let height = TOP + body + 120.0 + strip + MARGIN;
     let mut sketch =
         Sketch::new(WIDTH, height, "Measured order of accuracy of every scheme and scene".into());
     panel::headline(
@@ -39,8 +42,7 @@ pub(super) fn sketch(records: &Records, palette: &Palette) -> Option<Sketch> {
     let orders = Frame { left: 1850.0, right: all.right - 10.0, ..all };
     panels::draw_errors(&mut sketch, records, palette, (&scenes, quantity), errors);
     panels::draw_orders(&mut sketch, records, palette, (&scenes, quantity), orders);
-    let entries = entries(palette, quantity);
-    legend::draw(&mut sketch, &entries, MARGIN, height - legend::ROW - MARGIN / 2.0, WIDTH - 2.0 * MARGIN);
+    legend::draw(&mut sketch, &entries, MARGIN, height - strip - MARGIN / 2.0, room);
     Some(sketch)
 }
 

@@ -133,7 +133,7 @@ pub(super) fn draw_orders(
         panel.draw_grid(sketch);
         draw_column(sketch, records, palette, shown, (&panel, *claim));
         panel.draw_frame(sketch);
-        panel.label_x(sketch, if column == 0 { "measured order" } else { "" });
+        panel.label_x(sketch, "order");
     }
     for (row, scene) in scenes.iter().enumerate() {
         let part = (row as f64 + 0.5) / scenes.len() as f64;
