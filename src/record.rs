@@ -329,12 +329,19 @@ impl Records {
         Ok(records)
     }
 
-    /// The records as JSON text.
+    /// The records as JSON text, a row a line.
     pub fn to_json(&self) -> String {
-        let mut text =
-            serde_json::to_string_pretty(self).expect("records hold only strings, numbers and lists");
-        text.push('\n');
-        text
+        let value = serde_json::to_value(self).expect("records hold only strings, numbers and lists");
+        let serde_json::Value::Object(members) = value else { unreachable!("a struct becomes an object") };
+        let member = |(key, value): (String, serde_json::Value)| match value {
+            serde_json::Value::Array(rows) if !rows.is_empty() => {
+                let rows: Vec<String> = rows.iter().map(|row| format!("  {row}")).collect();
+                format!(" \"{key}\": [\n{}\n ]", rows.join(",\n"))
+            }
+            other => format!(" \"{key}\": {other}"),
+        };
+        let members: Vec<String> = members.into_iter().map(member).collect();
+        format!("{{\n{}\n}}\n", members.join(",\n"))
     }
 
     /// The measurements as tidy CSV: a header, then one row each.

@@ -7,7 +7,7 @@ use crate::record::{Drift, Measurement, Order, Series, Verdict};
 use crate::reference::{Reference, dop853};
 use crate::rotation;
 use crate::scenes::Scene;
-use crate::simulate::{Contestant, Plan};
+use crate::simulate::{Contestant, Form, Plan};
 
 /// Intervals of the reference's flips: fine enough for cubic interpolation to 1e-9 of the duration.
 const FLIP_SAMPLES: u32 = 4096;
@@ -112,6 +112,6 @@ fn against_time(
 ) -> Vec<Series> {
     let Some(rung) = evidence.rungs.get(SERIES_RUNG) else { return Vec::new() };
     let plan = Plan::over(scene.duration, rung.steps, SERIES_SAMPLES.min(rung.steps));
-    let run = contestant.run(&scene.system.least(), &plan);
+    let run = contestant.run(&scene.system, Form::Least, &plan);
     rows::series(names, &scene.system, plan.step, &run.states)
 }

@@ -11,7 +11,7 @@ use super::select;
 use crate::model::{AnyModel, Snapshot, System};
 use crate::record;
 use crate::scenes::Scene;
-use crate::simulate::{Outcome, Plan};
+use crate::simulate::{Form, Outcome, Plan};
 
 /// Options of `polhode run`.
 #[derive(Args, Clone, Debug)]
@@ -67,12 +67,19 @@ pub(super) fn run(options: &Options) -> Result<u8, Failure> {
     let contestant = select::contestant(&options.scheme)?;
     let scene = Scene::find(&options.scene)?;
     let plan = plan(options, scene.duration)?;
-    let model = match options.model {
-        ModelChoice::Least => scene.system.least(),
-        ModelChoice::Points => {
-            scene.system.points().map_err(|error| Failure::Model(format!("{}: {error}", scene.name)))?
+    if let Some(reason) = contestant.refusal(&scene.system) {
+        return Err(Failure::Model(format!("{} cannot take {}: {reason}", contestant.card.name, scene.name)));
+    }
+    let form = match options.model {
+        ModelChoice::Points if !contestant.takes_points() => {
+            let name = contestant.card.name;
+            return Err(Failure::Usage(format!("{name} lives in body axes and does not run on mass points")));
         }
+        ModelChoice::Points => Form::Points,
+        ModelChoice::Least => Form::Least,
     };
+    let model =
+        form.model(&scene.system).map_err(|error| Failure::Model(format!("{}: {error}", scene.name)))?;
     let mut written = Vec::new();
     let mut sink: Box<dyn Write> = match options.out {
         Some(_) => Box::new(&mut written),
@@ -88,7 +95,7 @@ pub(super) fn run(options: &Options) -> Result<u8, Failure> {
         format: options.format,
     };
     writer.open(&scene.name, contestant.card.name, &model).map_err(fail)?;
-    let outcome = contestant.stream(&model, &plan, &mut |snapshot| writer.push(snapshot));
+    let outcome = contestant.stream(&scene.system, form, &plan, &mut |snapshot| writer.push(snapshot));
     writer.close(&outcome).map_err(fail)?;
     drop(sink);
     if let Some(path) = &options.out {

@@ -3,7 +3,7 @@
 
 use super::{Case, applies, at_most, ruled};
 use crate::claim::{Quantity, When};
-use crate::metrics::{Place, PointRun, QuantityLadder};
+use crate::metrics::{Place, PointRun, QuantityLadder, Rung};
 use crate::record::{Ruling, Verdict};
 use crate::regression::Ladder;
 
@@ -26,6 +26,7 @@ pub(super) fn judge(case: &Case, quantity: Quantity, when: When) -> Vec<Verdict>
             verdicts.push(judge_ladder(case, &name, ladder));
         }
     }
+    verdicts.extend(judge_giant_steps(case, quantity));
     if quantity == Quantity::AngularMomentum
         && let Some(points) = case.points
         && let Some(change) = points.momentum_change
@@ -38,6 +39,24 @@ pub(super) fn judge(case: &Case, quantity: Quantity, when: When) -> Vec<Verdict>
         verdicts.push(at_most(case, "exact", "angular-momentum-points", change, bound, detail));
     }
     verdicts
+}
+
+/// A body in steady spin, in one step and in a few: exact is exact at every step.
+fn judge_giant_steps(case: &Case, quantity: Quantity) -> Option<Verdict> {
+    let index = Quantity::ALL.iter().position(|q| *q == quantity)?;
+    let name = format!("{}-giant-steps", quantity.name());
+    let ratio = |rung: &&Rung| {
+        let (error, floor) = (rung.errors[index].end, rung.floors[index].end);
+        if error == 0.0 { 0.0 } else { error / floor }
+    };
+    let worst = case.evidence.giant_steps.iter().max_by(|a, b| ratio(a).total_cmp(&ratio(b)))?;
+    let (error, bound) = (worst.errors[index].end, 10.0 * worst.floors[index].end);
+    let unit = quantity.unit();
+    let detail = format!(
+        "the whole run in 1 to 7 steps, worst in {}: {error:.2e} {unit}, ten times its floor {bound:.2e} {unit}",
+        worst.steps
+    );
+    Some(at_most(case, "exact", &name, error, bound, detail))
 }
 
 fn judge_ladder(case: &Case, name: &str, ladder: &QuantityLadder) -> Verdict {

@@ -3,10 +3,11 @@
 use super::{Case, at_most, ruled};
 use crate::record::{Ruling, Verdict};
 
-/// Rounding of n exact rotations of a point: up to 1.3 √n u where the axis tumbles and 0.007 n u where it
-/// stands still, as measured; allowed is three times either.
-fn rounding(steps: u64) -> f64 {
-    f64::EPSILON * (8.0 + 4.0 * (steps as f64).sqrt() + 0.02 * steps as f64)
+/// Rounding of n exact rotations of a point: up to 1.3 √n u where the axis tumbles, as measured, and allowed three
+/// times that. Where the axis stands still every rotation is the same and rounds the same way: n u.
+fn rounding(steps: u64, steady: bool) -> f64 {
+    let steps = steps as f64;
+    f64::EPSILON * (8.0 + 4.0 * steps.sqrt() + if steady { steps } else { 0.0 })
 }
 
 pub(super) fn judge(case: &Case) -> Vec<Verdict> {
@@ -14,7 +15,7 @@ pub(super) fn judge(case: &Case) -> Vec<Verdict> {
         let detail = "no point form: the body has none, or the scheme takes none";
         return vec![ruled(case, "rigid", "rigidity", Ruling::NotApplicable, detail)];
     };
-    let bound = rounding(points.steps);
+    let bound = rounding(points.steps, case.system.steady_spin());
     let detail = format!(
         "largest change of a distance in {} steps of the point form, over the extent: {:.2e} ≤ {bound:.2e}",
         points.steps, points.stretch

@@ -9,7 +9,7 @@ use crate::model::body::Shape;
 use crate::model::forces::Forces;
 use crate::regression::{self, Fit, Ladder};
 use crate::rotation;
-use crate::simulate::{Contestant, Plan};
+use crate::simulate::{Contestant, Form, Plan};
 
 /// Largest step, in radians turned.
 const COARSEST_TURN: f64 = 0.1;
@@ -127,7 +127,7 @@ pub fn energy_drift(contestant: &Contestant, system: &System, duration: f64) -> 
 
 fn run_rung(contestant: &Contestant, rotor: &System, long: f64, steps: u64) -> Option<EnergyRung> {
     let plan = Plan::over(long, steps, SAMPLES);
-    let run = contestant.run(&rotor.least(), &plan);
+    let run = contestant.run(rotor, Form::Least, &plan);
     if run.outcome.broken.is_some() {
         return None;
     }
@@ -147,7 +147,11 @@ fn run_rung(contestant: &Contestant, rotor: &System, long: f64, steps: u64) -> O
         uncertainty: (early - late).abs(),
         level: change.iter().map(|c| c.abs()).fold(0.0, super::larger),
         of_largest: energy.iter().copied().fold(0.0, super::larger) / most,
-        rounding: 4.0 * f64::EPSILON * (steps as f64).sqrt(),
+        rounding: if rotor.steady_spin() {
+            4.0 * f64::EPSILON * steps as f64
+        } else {
+            4.0 * f64::EPSILON * (steps as f64).sqrt()
+        },
         evaluations: run.outcome.evaluations,
     })
 }

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use crate::model::body::Shape;
 use crate::model::{Snapshot, System};
 use crate::rotation;
-use crate::simulate::{Contestant, Plan};
+use crate::simulate::{Contestant, Form, Plan};
 
 /// Part of |L| along the middle axis from which a body counts as tumbling about it.
 const TUMBLING: f64 = 0.9;
@@ -102,12 +102,11 @@ pub fn flips(
     truth: Vec<f64>,
 ) -> Option<Flips> {
     let axis = tumbling_axis(system)?;
-    let model = system.least();
     let rungs = TURNS.map(|turn| {
         let steps = (duration * fastest / turn).ceil() as u64;
         let plan = Plan { step: duration / steps as f64, steps, every: 1 };
         let mut finder = FlipFinder::new(axis);
-        contestant.stream(&model, &plan, &mut |state| finder.push(state));
+        contestant.stream(system, Form::Least, &plan, &mut |state| finder.push(state));
         FlipRung { step: plan.step, times: finder.times }
     });
     Some(Flips { truth, rungs: rungs.to_vec() })

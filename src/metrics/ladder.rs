@@ -2,16 +2,17 @@
 //!
 //! The floor of an error is what rounding and the reference leave undecided. Rounding is measured: the start
 //! is moved a little in seeded directions, and the growth of the difference over the run says what a rounding of
-//! each step becomes. n steps leave about √n roundings, and the rounding of h turns the phase by u |Ω| T.
+//! each step becomes. n steps leave about √n roundings, n of them in a steady spin, where every step is the same and
+//! rounds the same way; and the rounding of h turns the phase by u |Ω| T.
 
 use nalgebra::Vector3;
 
 use super::{ALL, Reading, Sight, errors};
-use crate::model::{AnyModel, Quantity, Snapshot, Start, System, difference};
+use crate::model::{Quantity, Snapshot, Start, System, difference};
 use crate::reference::Reference;
 use crate::regression::{self, Fit, Ladder};
 use crate::rotation;
-use crate::simulate::{Contestant, Outcome, Plan, Trajectory};
+use crate::simulate::{Contestant, Form, Outcome, Plan, Trajectory};
 
 /// Fewest rungs of a ladder.
 const FEWEST_RUNGS: usize = 6;
@@ -21,6 +22,10 @@ const MOST_RUNGS: usize = 13;
 const MOST_STEPS: u64 = 1 << 20;
 /// Radians turned in a step of the coarsest rung, at most.
 const COARSEST_TURN: f64 = 0.4;
+/// Change of a slope by one more rung from which on the ladder may still become something else.
+const STANDS: f64 = 0.02;
+/// Numbers of steps, odd ones, that a whole run in steady spin is made in besides its ladder.
+const GIANT_STEPS: [u64; 4] = [1, 3, 5, 7];
 /// Half-width of the band about the claimed order.
 pub const BAND: f64 = 0.15;
 /// Size of the displacements that measure how roundings grow, relative.
@@ -114,12 +119,13 @@ pub struct Evidence {
     pub rungs: Vec<Rung>,
     /// Ladders of every quantity at every place.
     pub ladders: Vec<QuantityLadder>,
+    /// Runs at steps that turn the body by any angle, for a body in steady spin: exact is exact at every step.
+    pub giant_steps: Vec<Rung>,
 }
 
 /// Runs a ladder. `order` is the claimed one: the ladder grows finer until every quantity's order is settled, at
 /// its floor, or out of reach.
 pub fn climb(contestant: &Contestant, system: &System, reference: &Reference, order: u32) -> Evidence {
-    let model = system.least();
     let samples = reference.times.len() as u64 - 1;
     let duration = reference.times[reference.times.len() - 1];
     let turned =
@@ -129,36 +135,71 @@ pub fn climb(contestant: &Contestant, system: &System, reference: &Reference, or
         first *= 2;
     }
     let growth = rounding_growth(contestant, system, reference, first * 4);
-    let mut evidence = Evidence { model: model.name(), rungs: Vec::new(), ladders: Vec::new() };
+    let mut evidence = Evidence {
+        model: system.least().name(),
+        rungs: Vec::new(),
+        ladders: Vec::new(),
+        giant_steps: Vec::new(),
+    };
     let mut before = Vec::new();
     for index in 0..MOST_RUNGS {
         let steps = first << index;
         if steps > MOST_STEPS && index >= FEWEST_RUNGS {
             break;
         }
-        let floors = floors(reference, &growth, steps, turned);
-        let (rung, states) = run_rung(contestant, &model, system, reference, steps, floors, &before);
+        let floors = floors(reference, &growth, roundings(system, steps, turned));
+        let (rung, states) = run_rung(contestant, system, reference, steps, floors, &before);
         evidence.rungs.push(rung);
         before = states;
         if index + 1 >= FEWEST_RUNGS {
-            evidence.ladders = ladders(&evidence.rungs, order);
-            if evidence.ladders.iter().all(|ladder| settled(ladder, order)) {
+            let last = std::mem::replace(&mut evidence.ladders, ladders(&evidence.rungs, order));
+            let mut pairs = evidence.ladders.iter().enumerate();
+            if pairs.all(|(index, ladder)| settled(ladder, last.get(index), order)) {
                 break;
             }
         }
     }
+    if system.steady_spin() {
+        evidence.giant_steps = giant_steps(contestant, system, reference, &growth, turned);
+    }
     evidence
 }
 
-/// Whether a finer rung would change nothing: decided, or already at the floor.
-fn settled(ladder: &QuantityLadder, order: u32) -> bool {
+/// Whether a finer rung would change nothing: the order holds, the error is at its floor, or the last rung has
+/// left the slope where it was.
+fn settled(ladder: &QuantityLadder, last: Option<&QuantityLadder>, order: u32) -> bool {
     let at_floor = ladder.rungs.last().is_some_and(|(_, e, floor)| *e <= 10.0 * floor);
-    at_floor || ladder.holds(order)
+    let before = last.and_then(QuantityLadder::fit);
+    let stands =
+        ladder.fit().zip(before).is_some_and(|(now, before)| (now.slope - before.slope).abs() < STANDS);
+    at_floor || stands || ladder.holds(order)
+}
+
+/// The whole run in a few steps, compared at its end.
+fn giant_steps(
+    contestant: &Contestant,
+    system: &System,
+    reference: &Reference,
+    growth: &[Reading; 6],
+    turned: f64,
+) -> Vec<Rung> {
+    let last = reference.times.len() - 1;
+    let run = |steps: u64| {
+        let plan = Plan { step: reference.times[last] / steps as f64, steps, every: steps };
+        let Trajectory { states, outcome } = contestant.run(system, Form::Least, &plan);
+        let mut errors = [Reading { end: f64::NAN, max: f64::NAN }; 6];
+        if let (None, Some(end)) = (&outcome.broken, states.last()) {
+            let apart = difference(&system.body, end, &reference.states[last]);
+            errors = apart.map(|value| Reading { end: value, max: value });
+        }
+        let floors = floors(reference, growth, roundings(system, steps, turned));
+        Rung { step: plan.step, steps, errors, floors, moved: errors, readings: Vec::new(), outcome }
+    };
+    GIANT_STEPS.map(run).to_vec()
 }
 
 fn run_rung(
     contestant: &Contestant,
-    model: &AnyModel,
     system: &System,
     reference: &Reference,
     steps: u64,
@@ -166,7 +207,7 @@ fn run_rung(
     before: &[Snapshot],
 ) -> (Rung, Vec<Snapshot>) {
     let plan = plan(reference, steps);
-    let Trajectory { states, outcome } = contestant.run(model, &plan);
+    let Trajectory { states, outcome } = contestant.run(system, Form::Least, &plan);
     let nothing = Reading { end: f64::NAN, max: f64::NAN };
     let (mut measured, mut readings) = ([nothing; 6], vec![None; ALL.len()]);
     let moved = if before.len() == states.len() { apart(system, &states, before) } else { [nothing; 6] };
@@ -238,11 +279,11 @@ fn rounding_growth(
     steps: u64,
 ) -> [Reading; 6] {
     let plan = plan(reference, steps);
-    let undisturbed = contestant.run(&system.least(), &plan);
+    let undisturbed = contestant.run(system, Form::Least, &plan);
     let mut growth = [Reading { end: 0.0, max: 0.0 }; 6];
     for direction in 0..DIRECTIONS {
         let displaced = displaced(system, reference, direction);
-        let moved = contestant.run(&displaced.least(), &plan);
+        let moved = contestant.run(&displaced, Form::Least, &plan);
         for (reading, by) in growth.iter_mut().zip(apart(system, &moved.states, &undisturbed.states)) {
             reading.end = reading.end.max(by.end / DISPLACEMENT);
             reading.max = reading.max.max(by.max / DISPLACEMENT);
@@ -267,9 +308,14 @@ fn displaced(system: &System, reference: &Reference, direction: usize) -> System
     system.displaced(&along(1.0, 0), &change)
 }
 
-/// The larger of the reference's uncertainty and the rounding that `steps` steps leave.
-fn floors(reference: &Reference, growth: &[Reading; 6], steps: u64, turned: f64) -> [Reading; 6] {
-    let roundings = f64::EPSILON * ((steps as f64).sqrt() + 0.5 * turned);
+/// What the roundings of `steps` steps over `turned` radians add up to, relative.
+fn roundings(system: &System, steps: u64, turned: f64) -> f64 {
+    let steps = steps as f64;
+    f64::EPSILON * (if system.steady_spin() { steps } else { steps.sqrt() } + 0.5 * turned)
+}
+
+/// The larger of the reference's uncertainty and what roundings become.
+fn floors(reference: &Reference, growth: &[Reading; 6], roundings: f64) -> [Reading; 6] {
     let last = reference.uncertainty[reference.uncertainty.len() - 1];
     let mut floors = *growth;
     for (index, floor) in floors.iter_mut().enumerate() {

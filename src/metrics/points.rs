@@ -4,7 +4,7 @@
 use crate::model::forces::Law;
 use crate::model::{Quantity, Snapshot, System, difference};
 use crate::rotation;
-use crate::simulate::{Contestant, Outcome, Plan};
+use crate::simulate::{Contestant, Form, Outcome, Plan};
 
 /// Steps of the comparison.
 const STEPS: u64 = 1000;
@@ -34,15 +34,14 @@ pub struct PointRun {
 
 /// Runs both forms for 1,000 steps; `None` where the body has no points or the scheme takes none.
 pub fn point_run(contestant: &Contestant, system: &System, duration: f64, fastest: f64) -> Option<PointRun> {
-    if !contestant.takes_points() {
+    if !contestant.takes_points() || system.body.points.is_empty() {
         return None;
     }
-    let points = system.points().ok()?;
     let steepest = if fastest > 0.0 { TURN / fastest } else { duration };
     let step = steepest.min(duration / STEPS as f64);
     let plan = Plan { step, steps: STEPS, every: 50 };
-    let written = contestant.run(&points, &plan);
-    let least = contestant.run(&system.least(), &plan);
+    let written = contestant.run(system, Form::Points, &plan);
+    let least = contestant.run(system, Form::Least, &plan);
     let scales = scales(system, &least.states);
     let mut largest: f64 = 0.0;
     let (mut stretch, mut change): (f64, f64) = (0.0, 0.0);

@@ -54,6 +54,9 @@ pub enum Broken {
         /// |L| [kg m²/s].
         length: f64,
     },
+    /// The mass points of a body that has none were asked for.
+    #[error("no positive masses have this body's inertia: it has no point form")]
+    NoPointForm,
     /// A scheme in body axes was given the mass points.
     #[error("the scheme lives in body axes and does not run on mass points")]
     NeedsAttitude,

@@ -105,6 +105,15 @@ pub(super) fn schemes(records: &Records) -> Vec<&str> {
     distinct(carded.chain(measured).chain(judged).chain(ordered).chain(drawn))
 }
 
+/// The schemes that were run: a reference has verdicts of its own, but no line in a picture.
+pub(super) fn measured_schemes(records: &Records) -> Vec<&str> {
+    let runs = |name: &&str| {
+        records.measurements.iter().any(|row| row.scheme == **name)
+            || records.series.iter().any(|row| row.scheme == **name)
+    };
+    schemes(records).into_iter().filter(runs).collect()
+}
+
 /// The scenes: those with a row of their own first, then any that only appear in other rows.
 pub(super) fn scenes(records: &Records) -> Vec<&str> {
     let rowed = records.scenes.iter().map(|row| row.name.as_str());

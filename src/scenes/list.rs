@@ -12,6 +12,8 @@ files! {
     "free-asymmetric",
     "free-oblate",
     "free-rod",
+    "slow-sphere",
+    "fast-sphere",
     "euler-top-unit",
     "dzhanibekov",
     "exact-separatrix",

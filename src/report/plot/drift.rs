@@ -1,4 +1,5 @@
-//! How fast the rotational energy drifts, against the time step: a panel a scene, all on the same axes.
+//! How fast the rotational energy drifts, against the time step: a panel a scene, all on the same axes. Scenes
+//! whose energy changes by rounding alone are left out.
 
 use crate::record::{Drift, Measurement, Records};
 use crate::report::{number, survey};
@@ -77,11 +78,17 @@ fn drifting(records: &Records) -> Vec<Drifting<'_>> {
         let curves: Vec<Curve> = schemes
             .iter()
             .map(|scheme| signed(curves::curve(scheme, &rows, None), &rows))
-            .filter(|curve| !curve.rungs.is_empty())
+            .filter(|curve| !curve.rungs.is_empty() && !is_exact(records, scene, curve.scheme))
             .collect();
         (!curves.is_empty()).then_some(Drifting { scene, curves })
     };
     survey::scenes(records).into_iter().filter_map(one).collect()
+}
+
+/// Whether what is left of a drift is rounding.
+fn is_exact(records: &Records, scene: &str, scheme: &str) -> bool {
+    let exact = |row: &Drift| row.quantity == QUANTITY && row.class == "exact";
+    records.drifts.iter().any(|row| row.scene == scene && row.scheme == scheme && exact(row))
 }
 
 /// Keeps the rates that are not zero, and marks those that are positive as filled.

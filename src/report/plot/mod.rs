@@ -85,7 +85,7 @@ pub(super) fn subjects(records: &Records) -> Vec<Subject> {
 /// The bundled typeface cannot be read.
 pub(super) fn lay_out(records: &Records, subject: &Subject) -> Result<Option<Picture>, Fault> {
     font::register().map_err(|why| Fault(why.into()))?;
-    let palette = Palette::new(survey::schemes(records));
+    let palette = Palette::new(survey::measured_schemes(records));
     let sketch = match subject {
         Subject::Overview => overview::sketch(records, &palette),
         Subject::DriftRates => drift::sketch(records, &palette),

@@ -54,7 +54,9 @@ fn ordered_scenes(records: &Records) -> Vec<&str> {
             .iter()
             .any(|row| row.scene == **scene && row.status == "fitted" && row.quantity.ends_with("-end"))
     };
-    survey::scenes(records).into_iter().filter(fitted).collect()
+    let set_apart =
+        |scene: &&str| records.scenes.iter().any(|row| row.name == **scene && row.not_for_order.is_some());
+    survey::scenes(records).into_iter().filter(|scene| fitted(scene) && !set_apart(scene)).collect()
 }
 
 fn subtitle(records: &Records, scenes: &[&str]) -> String {

@@ -3,6 +3,8 @@
 //! Scheme and model are dispatched once a run; inside is a monomorphic loop without allocation. Times are
 //! t = n h, never accumulated.
 
+mod contestant;
+
 use std::cell::Cell;
 use std::marker::PhantomData;
 use std::time::Instant;
@@ -10,10 +12,11 @@ use std::time::Instant;
 use nalgebra::Vector3;
 
 use crate::interrupt;
-use crate::model::body::Shape;
-use crate::model::{AnyModel, Broken, Model, Rotational, Snapshot, System, Turning};
+use crate::model::{Broken, Model, Rotational, Snapshot, Turning};
 use crate::rotation::Rotation;
-use crate::schemes::{self, Card, Scheme, TurningScheme, Visitor, Workspace};
+use crate::schemes::{Scheme, TurningScheme, Workspace};
+
+pub use contestant::{Contestant, Form};
 
 /// Steps between two checks that the state is finite.
 const CHECKED_EVERY: u64 = 1024;
@@ -68,109 +71,6 @@ pub struct Trajectory {
     pub states: Vec<Snapshot>,
     /// Cost and end.
     pub outcome: Outcome,
-}
-
-/// A scheme that can be run on any model.
-#[derive(Clone, Debug)]
-pub struct Contestant {
-    /// What the scheme says of itself.
-    pub card: Card,
-    run: fn(&AnyModel, &Plan, &mut dyn FnMut(&Snapshot)) -> Outcome,
-    limits: Limits,
-}
-
-/// What a scheme takes.
-#[derive(Clone, Copy, Debug)]
-struct Limits {
-    points: bool,
-    velocity_forces: bool,
-    rods: bool,
-}
-
-impl Contestant {
-    /// A scheme of any crate.
-    pub fn new<S: Scheme>() -> Contestant {
-        let limits = Limits { points: true, velocity_forces: true, rods: true };
-        Contestant { card: S::CARD, run: run_any::<S>, limits }
-    }
-
-    /// A scheme in body axes, of any crate.
-    pub fn turning<S: TurningScheme>() -> Contestant {
-        let limits = Limits { points: false, velocity_forces: S::TAKES_VELOCITY_FORCES, rods: S::TAKES_RODS };
-        Contestant { card: S::CARD, run: run_turning::<S>, limits }
-    }
-
-    /// Why the scheme cannot take a scene, if it cannot.
-    pub fn refusal(&self, system: &System) -> Option<&'static str> {
-        if !self.limits.velocity_forces && system.forces.read_velocity() {
-            return Some(
-                "a force depends on a velocity, which a splitting into kicks and drifts cannot take",
-            );
-        }
-        if !self.limits.rods && system.body.shape != Shape::Extended {
-            return Some(
-                "a moment of inertia is zero (a rod or a single point), and the scheme divides by it",
-            );
-        }
-        None
-    }
-
-    /// Whether the scheme runs on the mass points.
-    pub fn takes_points(&self) -> bool {
-        self.limits.points
-    }
-
-    /// The schemes of the list.
-    pub fn all() -> Vec<Contestant> {
-        struct Collect;
-        impl Visitor for Collect {
-            type Output = Contestant;
-            fn visit<S: Scheme>(&self) -> Contestant {
-                Contestant::new::<S>()
-            }
-            fn visit_turning<S: TurningScheme>(&self) -> Contestant {
-                Contestant::turning::<S>()
-            }
-        }
-        schemes::visit_all(&Collect)
-    }
-
-    /// Runs and hands every stored state to `store` as it comes: constant memory, however long the run.
-    pub fn stream(&self, model: &AnyModel, plan: &Plan, store: &mut dyn FnMut(&Snapshot)) -> Outcome {
-        (self.run)(model, plan, store)
-    }
-
-    /// Runs and keeps the stored states.
-    pub fn run(&self, model: &AnyModel, plan: &Plan) -> Trajectory {
-        let mut states = Vec::with_capacity((plan.steps / plan.every.max(1) + 2).min(1 << 20) as usize);
-        let outcome = self.stream(model, plan, &mut |snapshot| states.push(*snapshot));
-        Trajectory { states, outcome }
-    }
-}
-
-fn run_any<S: Scheme>(model: &AnyModel, plan: &Plan, store: &mut dyn FnMut(&Snapshot)) -> Outcome {
-    match model {
-        AnyModel::Free(model) => run::<OnAnyModel<S>, _>(model, plan, store),
-        AnyModel::Falling(model) => run::<OnAnyModel<S>, _>(model, plan, store),
-        AnyModel::Torque(model) | AnyModel::Pivot(model) => run::<OnAnyModel<S>, _>(model, plan, store),
-        AnyModel::Forced(model) => run::<OnAnyModel<S>, _>(model, plan, store),
-        AnyModel::Points(model) => run::<OnAnyModel<S>, _>(model, plan, store),
-    }
-}
-
-fn run_turning<S: TurningScheme>(model: &AnyModel, plan: &Plan, store: &mut dyn FnMut(&Snapshot)) -> Outcome {
-    match model {
-        AnyModel::Free(model) => run::<InBodyAxes<S>, _>(model, plan, store),
-        AnyModel::Falling(model) => run::<InBodyAxes<S>, _>(model, plan, store),
-        AnyModel::Torque(model) | AnyModel::Pivot(model) => run::<InBodyAxes<S>, _>(model, plan, store),
-        AnyModel::Forced(model) => run::<InBodyAxes<S>, _>(model, plan, store),
-        AnyModel::Points(_) => Outcome {
-            steps: 0,
-            evaluations: 0,
-            nanoseconds: 0,
-            broken: Some(Break { step: 0, time: 0.0, why: Broken::NeedsAttitude }),
-        },
-    }
 }
 
 /// A step on a model: lets one loop drive schemes for every model and schemes in body axes.

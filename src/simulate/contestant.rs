@@ -1,0 +1,164 @@
+//! What is put under test, and on which form of a scene it runs.
+
+use std::sync::Arc;
+
+use super::{Break, InBodyAxes, OnAnyModel, Outcome, Plan, Trajectory, run};
+use crate::model::body::Shape;
+use crate::model::{AnyModel, Broken, Snapshot, System, SystemError};
+use crate::schemes::{self, Card, Scheme, TurningScheme, Visitor};
+
+/// Which form of a scene is run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// The least model that determines the motion.
+    Least,
+    /// Every mass point.
+    Points,
+}
+
+impl Form {
+    /// The model of a scene.
+    ///
+    /// # Errors
+    /// The body has no point form.
+    pub fn model(self, system: &System) -> Result<AnyModel, SystemError> {
+        match self {
+            Form::Least => Ok(system.least()),
+            Form::Points => system.points(),
+        }
+    }
+}
+
+type Run = dyn Fn(&System, Form, &Plan, &mut dyn FnMut(&Snapshot)) -> Outcome + Send + Sync;
+
+/// Something under test: a scheme of this or another crate, or a program of its own.
+#[derive(Clone)]
+pub struct Contestant {
+    /// What it says of itself.
+    pub card: Card,
+    run: Arc<Run>,
+    limits: Limits,
+}
+
+/// What a scheme takes.
+#[derive(Clone, Copy, Debug)]
+struct Limits {
+    points: bool,
+    velocity_forces: bool,
+    rods: bool,
+}
+
+impl Contestant {
+    /// A scheme of any crate.
+    pub fn new<S: Scheme>() -> Contestant {
+        let limits = Limits { points: true, velocity_forces: true, rods: true };
+        Contestant { card: S::CARD, run: Arc::new(run_on_any_model::<S>), limits }
+    }
+
+    /// A scheme in body axes, of any crate.
+    pub fn turning<S: TurningScheme>() -> Contestant {
+        let limits = Limits { points: false, velocity_forces: S::TAKES_VELOCITY_FORCES, rods: S::TAKES_RODS };
+        Contestant { card: S::CARD, run: Arc::new(run_in_body_axes::<S>), limits }
+    }
+
+    /// A program that brings a model of its own. `run` steps a scene in a form by a plan and hands over the first
+    /// state, every K-th and the last.
+    pub fn foreign(
+        card: Card,
+        run: impl Fn(&System, Form, &Plan, &mut dyn FnMut(&Snapshot)) -> Outcome + Send + Sync + 'static,
+    ) -> Contestant {
+        let limits = Limits { points: true, velocity_forces: true, rods: true };
+        Contestant { card, run: Arc::new(run), limits }
+    }
+
+    /// Why the scheme cannot take a scene, if it cannot.
+    pub fn refusal(&self, system: &System) -> Option<&'static str> {
+        if !self.limits.velocity_forces && system.forces.read_velocity() {
+            return Some(
+                "a force depends on a velocity, which a splitting into kicks and drifts cannot take",
+            );
+        }
+        if !self.limits.rods && system.body.shape != Shape::Extended {
+            return Some(
+                "a moment of inertia is zero (a rod or a single point), and the scheme divides by it",
+            );
+        }
+        None
+    }
+
+    /// Whether the scheme runs on the mass points.
+    pub fn takes_points(&self) -> bool {
+        self.limits.points
+    }
+
+    /// The schemes of the list.
+    pub fn all() -> Vec<Contestant> {
+        struct Collect;
+        impl Visitor for Collect {
+            type Output = Contestant;
+            fn visit<S: Scheme>(&self) -> Contestant {
+                Contestant::new::<S>()
+            }
+            fn visit_turning<S: TurningScheme>(&self) -> Contestant {
+                Contestant::turning::<S>()
+            }
+        }
+        schemes::visit_all(&Collect)
+    }
+
+    /// Runs and hands every stored state to `store` as it comes: constant memory, however long the run.
+    pub fn stream(
+        &self,
+        system: &System,
+        form: Form,
+        plan: &Plan,
+        store: &mut dyn FnMut(&Snapshot),
+    ) -> Outcome {
+        (self.run)(system, form, plan, store)
+    }
+
+    /// Runs and keeps the stored states.
+    pub fn run(&self, system: &System, form: Form, plan: &Plan) -> Trajectory {
+        let mut states = Vec::with_capacity((plan.steps / plan.every.max(1) + 2).min(1 << 20) as usize);
+        let outcome = self.stream(system, form, plan, &mut |snapshot| states.push(*snapshot));
+        Trajectory { states, outcome }
+    }
+}
+
+/// A run that never began.
+fn never(why: Broken) -> Outcome {
+    let broken = Some(Break { step: 0, time: 0.0, why });
+    Outcome { steps: 0, evaluations: 0, nanoseconds: 0, broken }
+}
+
+fn run_on_any_model<S: Scheme>(
+    system: &System,
+    form: Form,
+    plan: &Plan,
+    store: &mut dyn FnMut(&Snapshot),
+) -> Outcome {
+    match form.model(system) {
+        Ok(AnyModel::Free(model)) => run::<OnAnyModel<S>, _>(&model, plan, store),
+        Ok(AnyModel::Falling(model)) => run::<OnAnyModel<S>, _>(&model, plan, store),
+        Ok(AnyModel::Torque(model) | AnyModel::Pivot(model)) => run::<OnAnyModel<S>, _>(&model, plan, store),
+        Ok(AnyModel::Forced(model)) => run::<OnAnyModel<S>, _>(&model, plan, store),
+        Ok(AnyModel::Points(model)) => run::<OnAnyModel<S>, _>(&model, plan, store),
+        Err(_) => never(Broken::NoPointForm),
+    }
+}
+
+fn run_in_body_axes<S: TurningScheme>(
+    system: &System,
+    form: Form,
+    plan: &Plan,
+    store: &mut dyn FnMut(&Snapshot),
+) -> Outcome {
+    match form.model(system) {
+        Ok(AnyModel::Free(model)) => run::<InBodyAxes<S>, _>(&model, plan, store),
+        Ok(AnyModel::Falling(model)) => run::<InBodyAxes<S>, _>(&model, plan, store),
+        Ok(AnyModel::Torque(model) | AnyModel::Pivot(model)) => run::<InBodyAxes<S>, _>(&model, plan, store),
+        Ok(AnyModel::Forced(model)) => run::<InBodyAxes<S>, _>(&model, plan, store),
+        Ok(AnyModel::Points(_)) => never(Broken::NeedsAttitude),
+        Err(_) => never(Broken::NoPointForm),
+    }
+}

@@ -1,0 +1,344 @@
+//! A copy of Peskin's scheme on mass points, written from the note in plain loops, with one place for each
+//! defect. It shares no code with the product but the force laws.
+
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+use polhode::model::forces::{Cloud, Load};
+use polhode::model::{Broken, Snapshot, System};
+use polhode::rotation;
+use polhode::schemes::Scheme;
+use polhode::simulate::{Contestant, Form, Outcome, Plan};
+
+type V3 = Vector3<f64>;
+
+/// What is wrong with the copy.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Defect {
+    None,
+    Step5FromHalfPoints,
+    HalfAngleIn5,
+    SpinOfStartIn5,
+    HalfSpinFromStartInertia,
+    HalfSpinFromStartMomentum,
+    TorqueOfStartIn8,
+    Step4WithFullStep,
+    MomentumRenormalised,
+    ForceOfStartIn7,
+    ForceNotOverMass,
+    VelocityOfStartIn6,
+    ArmFromWorldOrigin,
+    VelocityWithoutSpin,
+    VelocityWithWrongSign,
+    InertiaWithWrongSign,
+    InertiaFrozen,
+    MassAsNumberOfPoints,
+    RotationTransposed,
+    Cayley,
+    SineOfAngle,
+    RotationToSecondOrder,
+    IdentityBelowAThousandth,
+    AngleModuloPi,
+    AngleClamped,
+    TrapezoidIn6,
+    HeunCorrector,
+    EnergyProjection,
+    TorqueDropped,
+    TorqueOfWrongSign,
+    HalfStageForcesAtStart,
+    HalfStageForcesAtEnd,
+    LastStepDropped,
+    HalfStageWithFullAngle,
+    PositionTwice,
+}
+
+impl Defect {
+    /// Every defect but none.
+    pub const ALL: [Defect; 34] = [
+        Defect::Step5FromHalfPoints,
+        Defect::HalfAngleIn5,
+        Defect::SpinOfStartIn5,
+        Defect::HalfSpinFromStartInertia,
+        Defect::HalfSpinFromStartMomentum,
+        Defect::TorqueOfStartIn8,
+        Defect::Step4WithFullStep,
+        Defect::MomentumRenormalised,
+        Defect::ForceOfStartIn7,
+        Defect::ForceNotOverMass,
+        Defect::VelocityOfStartIn6,
+        Defect::ArmFromWorldOrigin,
+        Defect::VelocityWithoutSpin,
+        Defect::VelocityWithWrongSign,
+        Defect::InertiaWithWrongSign,
+        Defect::InertiaFrozen,
+        Defect::MassAsNumberOfPoints,
+        Defect::RotationTransposed,
+        Defect::Cayley,
+        Defect::SineOfAngle,
+        Defect::RotationToSecondOrder,
+        Defect::IdentityBelowAThousandth,
+        Defect::AngleModuloPi,
+        Defect::AngleClamped,
+        Defect::TrapezoidIn6,
+        Defect::HeunCorrector,
+        Defect::EnergyProjection,
+        Defect::TorqueDropped,
+        Defect::TorqueOfWrongSign,
+        Defect::HalfStageForcesAtStart,
+        Defect::HalfStageForcesAtEnd,
+        Defect::LastStepDropped,
+        Defect::HalfStageWithFullAngle,
+        Defect::PositionTwice,
+    ];
+
+    /// Whether the wrong scheme is still of second order, so that only its constants or its exactness tell.
+    pub fn stays_second_order(self) -> bool {
+        matches!(
+            self,
+            Defect::Cayley
+                | Defect::SineOfAngle
+                | Defect::RotationToSecondOrder
+                | Defect::TrapezoidIn6
+                | Defect::HeunCorrector
+                | Defect::EnergyProjection
+        )
+    }
+}
+
+#[derive(Clone)]
+struct State {
+    arms: Vec<V3>,
+    position: V3,
+    velocity: V3,
+    momentum: V3,
+}
+
+struct Stage {
+    spin: V3,
+    force: V3,
+    torque: V3,
+}
+
+struct Copy<'a> {
+    system: &'a System,
+    masses: Vec<f64>,
+    body_arms: Vec<V3>,
+    pivot: Option<V3>,
+    start_inertia: Matrix3<f64>,
+    defect: Defect,
+}
+
+/// The copy with a defect, under the name and the claims of the scheme that it pretends to be.
+pub fn contestant(defect: Defect) -> Contestant {
+    Contestant::foreign(polhode::schemes::PeskinRk2::CARD, move |system, form, plan, store| {
+        run(defect, system, form, plan, store)
+    })
+}
+
+fn run(
+    defect: Defect,
+    system: &System,
+    _form: Form,
+    plan: &Plan,
+    store: &mut dyn FnMut(&Snapshot),
+) -> Outcome {
+    let copy = Copy::new(system, defect);
+    let mut state = copy.start();
+    let mut outcome = Outcome { steps: 0, evaluations: 0, nanoseconds: 0, broken: None };
+    for n in 0..=plan.steps {
+        if n % plan.every == 0 || n == plan.steps {
+            store(&copy.observe(n as f64 * plan.step, &state));
+        }
+        if n < plan.steps && !(defect == Defect::LastStepDropped && n + 1 == plan.steps) {
+            copy.step(n as f64 * plan.step, plan.step, &mut state);
+        }
+    }
+    let sum = state.momentum.sum() + state.position.sum() + state.arms.iter().map(|a| a.sum()).sum::<f64>();
+    if !sum.is_finite() {
+        let why = Broken::NotFinite;
+        outcome.broken = Some(polhode::simulate::Break { step: plan.steps, time: 0.0, why });
+    }
+    outcome.steps = plan.steps;
+    outcome.evaluations = 2 * plan.steps;
+    outcome
+}
+
+impl<'a> Copy<'a> {
+    fn new(system: &'a System, defect: Defect) -> Copy<'a> {
+        let masses: Vec<f64> = system.body.points.iter().map(|p| p.mass).collect();
+        let body_arms: Vec<V3> = system.body.points.iter().map(|p| p.position).collect();
+        let pivot = system.body.pivoted.then(|| system.origin());
+        let mut copy = Copy { system, masses, body_arms, pivot, start_inertia: Matrix3::zeros(), defect };
+        copy.start_inertia = copy.inertia(&copy.start().arms);
+        copy
+    }
+
+    fn start(&self) -> State {
+        let start = &self.system.start;
+        State {
+            arms: self.body_arms.iter().map(|arm| start.orientation * arm).collect(),
+            position: start.position,
+            velocity: start.velocity,
+            momentum: start.angular_momentum,
+        }
+    }
+
+    fn inertia(&self, arms: &[V3]) -> Matrix3<f64> {
+        let sign = if self.defect == Defect::InertiaWithWrongSign { 1.0 } else { -1.0 };
+        arms.iter()
+            .zip(&self.masses)
+            .map(|(x, m)| (Matrix3::identity() * x.norm_squared() + x * x.transpose() * sign) * *m)
+            .sum()
+    }
+
+    fn spin(&self, inertia: &Matrix3<f64>, momentum: &V3) -> V3 {
+        let inertia = if self.defect == Defect::InertiaFrozen { &self.start_inertia } else { inertia };
+        inertia.lu().solve(momentum).unwrap_or_else(|| V3::repeat(f64::NAN))
+    }
+
+    /// Where Ω, F and τ come from.
+    fn stage(&self, t: f64, state: &State, spin: V3) -> Stage {
+        let (origin, velocity) = match self.pivot {
+            Some(pivot) => (pivot, V3::zeros()),
+            None => (state.position, state.velocity),
+        };
+        let spin_of_points = match self.defect {
+            Defect::VelocityWithoutSpin => V3::zeros(),
+            Defect::VelocityWithWrongSign => -spin,
+            _ => spin,
+        };
+        let cloud = Cloud {
+            arms: &state.arms,
+            masses: &self.masses,
+            origin,
+            velocity,
+            spin: spin_of_points,
+            mass: self.masses.iter().sum(),
+            inertia: self.inertia(&state.arms),
+            center: V3::zeros(),
+            axes: Matrix3::identity(),
+        };
+        let Load { force, mut torque } = self.system.forces.load_on_points(t, &cloud);
+        match self.defect {
+            Defect::ArmFromWorldOrigin => torque += origin.cross(&force),
+            Defect::TorqueDropped => torque = V3::zeros(),
+            Defect::TorqueOfWrongSign => torque = -torque,
+            _ => {}
+        }
+        Stage { spin, force, torque }
+    }
+
+    fn rotation(&self, spin: &V3, s: f64) -> Matrix3<f64> {
+        let angle = spin.norm() * s;
+        if angle == 0.0 {
+            return Matrix3::identity();
+        }
+        let axis = spin / spin.norm();
+        let k = axis.cross_matrix();
+        let exact = |angle: f64| Matrix3::identity() + k * angle.sin() + k * k * (1.0 - angle.cos());
+        match self.defect {
+            Defect::RotationTransposed => exact(angle).transpose(),
+            Defect::Cayley => exact(2.0 * (angle / 2.0).atan()),
+            Defect::SineOfAngle => exact(angle.sin()),
+            Defect::RotationToSecondOrder => Matrix3::identity() + k * angle + k * k * (angle * angle / 2.0),
+            Defect::IdentityBelowAThousandth if angle < 1e-3 => Matrix3::identity(),
+            Defect::AngleModuloPi => exact(angle % std::f64::consts::PI),
+            Defect::AngleClamped => exact(angle.min(std::f64::consts::PI)),
+            _ => exact(angle),
+        }
+    }
+
+    fn turned(&self, arms: &[V3], spin: &V3, s: f64) -> Vec<V3> {
+        let rotation = self.rotation(spin, s);
+        arms.iter().map(|arm| rotation * arm).collect()
+    }
+
+    fn step(&self, t: f64, h: f64, state: &mut State) {
+        use Defect as D;
+        let d = self.defect;
+        let mass: f64 = match d {
+            D::MassAsNumberOfPoints => self.masses.len() as f64,
+            _ => self.masses.iter().sum(),
+        };
+        let over_mass = if d == D::ForceNotOverMass { 1.0 } else { mass };
+        let inertia = self.inertia(&state.arms);
+        let k0 = self.stage(t, state, self.spin(&inertia, &state.momentum));
+        let half_angle = if d == D::HalfStageWithFullAngle { h } else { h / 2.0 };
+        let half = State {
+            arms: self.turned(&state.arms, &k0.spin, half_angle), // (1)
+            position: state.position + state.velocity * (h / 2.0), // (2)
+            velocity: state.velocity + k0.force * (h / 2.0 / over_mass), // (3)
+            momentum: state.momentum + k0.torque * if d == D::Step4WithFullStep { h } else { h / 2.0 }, // (4)
+        };
+        let half_inertia = if d == D::HalfSpinFromStartInertia { inertia } else { self.inertia(&half.arms) };
+        let half_momentum = if d == D::HalfSpinFromStartMomentum { state.momentum } else { half.momentum };
+        let half_time = match d {
+            D::HalfStageForcesAtStart => t,
+            D::HalfStageForcesAtEnd => t + h,
+            _ => t + h / 2.0,
+        };
+        let k1 = self.stage(half_time, &half, self.spin(&half_inertia, &half_momentum));
+        let spin = match d {
+            D::SpinOfStartIn5 => k0.spin,
+            D::HeunCorrector => self.heun_spin(t, h, state, &k0),
+            _ => k1.spin,
+        };
+        let from = if d == D::Step5FromHalfPoints { &half.arms } else { &state.arms };
+        let angle = if d == D::HalfAngleIn5 { h / 2.0 } else { h };
+        let force = if d == D::ForceOfStartIn7 { k0.force } else { k1.force };
+        let torque = if d == D::TorqueOfStartIn8 { k0.torque } else { k1.torque };
+        let velocity = state.velocity + force * (h / over_mass); // (7)
+        let drift = match d {
+            D::VelocityOfStartIn6 => state.velocity,
+            D::TrapezoidIn6 => (state.velocity + velocity) * 0.5,
+            D::PositionTwice => half.velocity * (1.0 + h),
+            _ => half.velocity,
+        };
+        let mut momentum = state.momentum + torque * h; // (8)
+        if d == D::MomentumRenormalised {
+            momentum *= state.momentum.norm() / momentum.norm();
+        }
+        let arms = self.turned(from, &spin, angle); // (5)
+        let position = state.position + drift * h; // (6)
+        let energy = 0.5 * k0.spin.dot(&state.momentum);
+        *state = State { arms, position, velocity, momentum };
+        if d == D::EnergyProjection {
+            let after = 0.5 * self.spin(&self.inertia(&state.arms), &state.momentum).dot(&state.momentum);
+            state.momentum *= (energy / after).sqrt();
+        }
+    }
+
+    /// The mean of Ω at the start and at the end of an Euler step.
+    fn heun_spin(&self, _t: f64, h: f64, state: &State, k0: &Stage) -> V3 {
+        let end = self.turned(&state.arms, &k0.spin, h);
+        let momentum = state.momentum + k0.torque * h;
+        (k0.spin + self.spin(&self.inertia(&end), &momentum)) * 0.5
+    }
+
+    fn observe(&self, t: f64, state: &State) -> Snapshot {
+        let orientation: UnitQuaternion<f64> = rotation::best_fit(&self.body_arms, &state.arms, &self.masses);
+        let spin = self.spin(&self.inertia(&state.arms), &state.momentum);
+        let (position, velocity) = match self.pivot {
+            Some(pivot) => {
+                let total: f64 = self.masses.iter().sum();
+                let center: V3 = state.arms.iter().zip(&self.masses).map(|(a, m)| a * (*m / total)).sum();
+                (pivot + center, spin.cross(&center))
+            }
+            None => (state.position, state.velocity),
+        };
+        let stretch = state
+            .arms
+            .iter()
+            .zip(&self.body_arms)
+            .map(|(now, before)| (now.norm() - before.norm()).abs() / self.system.body.extent())
+            .fold(0.0, f64::max);
+        let angular_momentum = state.momentum;
+        Snapshot {
+            time: t,
+            position,
+            velocity,
+            orientation,
+            angular_velocity: spin,
+            angular_momentum,
+            stretch,
+        }
+    }
+}
