@@ -22,11 +22,14 @@ pub(super) struct Options {
     /// Every scheme in every scene
     #[arg(long)]
     full: bool,
+    /// Only what a repository can hold: report.md, key pictures, and records without the runs behind them
+    #[arg(long)]
+    brief: bool,
 }
 
 impl Default for Options {
     fn default() -> Options {
-        Options { out: "reports/latest".into(), selection: Selection::default(), full: false }
+        Options { out: "reports/latest".into(), selection: Selection::default(), full: false, brief: false }
     }
 }
 
@@ -39,14 +42,17 @@ Examples:
 pub(super) fn report(options: &Options, quiet: bool) -> Result<u8, Failure> {
     let records = measure(&options.selection, Baseline::built_in(), true, quiet)?;
     let bar = progress_bar(quiet, "drawing");
-    report::write(&records, &options.out, &|done, all| {
+    let progress = |done: usize, all: usize| {
         bar.set_length(all as u64);
         bar.set_position(done as u64);
-    })?;
+    };
+    let write = if options.brief { report::write_brief } else { report::write };
+    write(&records, &options.out, &progress)?;
     bar.finish_and_clear();
     super::run::print(&report::verdict_table(&records, false))?;
     if !quiet {
-        eprintln!("polhode: the report is {}", options.out.join("index.html").display());
+        let page = if options.brief { "report.md" } else { "index.html" };
+        eprintln!("polhode: the report is {}", options.out.join(page).display());
     }
     Ok(gates::exit_code(&records.verdicts))
 }

@@ -23,13 +23,19 @@ pub(super) struct Options {
     #[arg(long, value_name = "S")]
     scheme: String,
     /// Time step [s]; must divide the duration
-    #[arg(long, value_name = "H", required_unless_present = "steps", conflicts_with = "steps")]
+    #[arg(
+        long,
+        value_name = "H",
+        required_unless_present = "steps",
+        conflicts_with = "steps",
+        allow_negative_numbers = true
+    )]
     step: Option<f64>,
     /// Number of equal steps
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     steps: Option<u64>,
     /// Duration [s] instead of the scene's own
-    #[arg(long, value_name = "T")]
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
     duration: Option<f64>,
     /// Write every K-th state, besides the first and the last
     #[arg(long, value_name = "K", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]

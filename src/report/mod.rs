@@ -67,26 +67,40 @@ pub fn write(
 ) -> Result<(), ReportError> {
     write_whole(&out.join("records.json"), records.to_json().as_bytes())?;
     write_whole(&out.join("records.csv"), records.to_csv().as_bytes())?;
-    let figures = write_pictures(records, &out.join("plots"), progress)?;
+    let figures = write_pictures(records, &plot::subjects(records), &out.join("plots"), progress)?;
     let page = page::compose(records, &figures);
-    for (name, render) in
-        [("report.md", markdown::render as fn(&page::Page) -> _), ("index.html", html::render)]
-    {
-        let path = out.join(name);
-        let text: String =
-            render(&page).map_err(|source| ReportError::Page { path: path.clone(), source })?;
-        write_whole(&path, text.as_bytes())?;
-    }
-    Ok(())
+    write_page(&out.join("report.md"), markdown::render(&page))?;
+    write_page(&out.join("index.html"), html::render(&page))
 }
 
-/// Draws every picture, writes the PNGs and gives back the SVGs.
+/// Writes what a repository can hold: `report.md`, the key pictures, and a `records.json` of orders, drifts and
+/// verdicts without the runs behind them.
+///
+/// # Errors
+/// A file cannot be written, or a picture or a page cannot be made.
+pub fn write_brief(
+    records: &Records,
+    out: &Path,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<(), ReportError> {
+    let brief = Records { measurements: Vec::new(), series: Vec::new(), ..records.clone() };
+    write_whole(&out.join("records.json"), brief.to_json().as_bytes())?;
+    let figures = write_pictures(records, &plot::key_subjects(records), &out.join("plots"), progress)?;
+    write_page(&out.join("report.md"), markdown::render(&page::compose(records, &figures)))
+}
+
+fn write_page(path: &Path, text: Result<String, minijinja::Error>) -> Result<(), ReportError> {
+    let text = text.map_err(|source| ReportError::Page { path: path.into(), source })?;
+    Ok(write_whole(path, text.as_bytes())?)
+}
+
+/// Draws pictures, writes the PNGs and gives back the SVGs.
 fn write_pictures(
     records: &Records,
+    subjects: &[Subject],
     folder: &Path,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Vec<Figure>, ReportError> {
-    let subjects = plot::subjects(records);
     let done = AtomicUsize::new(0);
     let one = |subject: &Subject| {
         let path = folder.join(subject.file_name());

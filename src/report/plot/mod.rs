@@ -79,6 +79,14 @@ pub(super) fn subjects(records: &Records) -> Vec<Subject> {
     subjects
 }
 
+/// The pictures that stand for all: the overview, the drift, and the first scene under forces that carries an
+/// order.
+pub(super) fn key_subjects(records: &Records) -> Vec<Subject> {
+    let typical = records.scenes.iter().find(|row| !row.laws.is_empty() && row.not_for_order.is_none());
+    let typical = typical.map(|row| Subject::Convergence(row.name.clone()));
+    [Subject::Overview, Subject::DriftRates].into_iter().chain(typical).collect()
+}
+
 /// Lays a picture out; `None` where the records hold nothing to draw.
 ///
 /// # Errors
