@@ -258,7 +258,7 @@ fn run<'a, S: Step<Counted<'a, M>>, M: Model>(
     let every = plan.every.max(1);
     let broke = |step: u64, why| Some(Break { step, time: step as f64 * plan.step, why });
     loop {
-        if outcome.steps % every == 0 || outcome.steps == plan.steps {
+        if outcome.steps.is_multiple_of(every) || outcome.steps == plan.steps {
             match stepper.model.observe(outcome.steps as f64 * plan.step, &stepper.now) {
                 Ok(snapshot) => store(&snapshot),
                 Err(why) => outcome.broken = broke(outcome.steps, why),
