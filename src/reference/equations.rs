@@ -1,9 +1,11 @@
 //! The Euler equations in body axes with a quaternion, as one ordinary differential equation of dimension 13.
 //!
-//!     (1) X' = U
-//!     (2) U' = F / M
-//!     (3) q' = ½ q ⊗ (0, ω)
-//!     (4) I ω' = τ − ω × I ω
+//! ```text
+//! (1) X' = U
+//! (2) U' = F / M
+//! (3) q' = ½ q ⊗ (0, ω)
+//! (4) I ω' = τ − ω × I ω
+//! ```
 //!
 //! X, U: origin of the body, world axes; q takes body axes to world axes; I, ω, τ: about the origin, body axes.
 //! With a pivot the origin is fixed, X' = U' = 0. Source: Euler 1765; any text on mechanics.

@@ -2,10 +2,12 @@
 //!
 //! A scale for each kind of component, from the start of the motion:
 //!
-//!     spin    max(|ω₀|, √(|τ₀|/I), 1/T)
-//!     length  max(extent, distance to what the forces hang on)
-//!     speed   max(|U₀|, √(|F₀/M| length), length/T)
-//!     time    1 / max(spin, speed/length)
+//! ```text
+//! spin    max(|ω₀|, √(|τ₀|/I), 1/T)
+//! length  max(extent, distance to what the forces hang on)
+//! speed   max(|U₀|, √(|F₀/M| length), length/T)
+//! time    1 / max(spin, speed/length)
+//! ```
 //!
 //! All are powers of two: scaling by them does not round.
 
