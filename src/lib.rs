@@ -14,6 +14,8 @@
 
 pub mod interrupt;
 pub mod rotation;
+pub mod elliptic;
+pub mod free_rotor;
 pub mod regression;
 pub mod record;
 pub mod model;

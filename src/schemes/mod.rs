@@ -102,6 +102,10 @@ pub trait Visitor {
     fn visit_turning<S: TurningScheme>(&self) -> Self::Output;
 }
 
+mod composed;
+mod preprocessing;
+mod splitting;
+
 macro_rules! list {
     (any: $($module:ident::$scheme:ident),* ; turning: $($turning_module:ident::$turning:ident),* ;) => {
         $(mod $module; pub use $module::$scheme;)*
@@ -118,5 +122,18 @@ list! {
     any:
     peskin_rk2::PeskinRk2,
     euler::Euler;
-    turning: ;
+    turning:
+    strang_rotations::StrangRotations,
+    strang_symmetric::StrangSymmetric,
+    exact_rotor::ExactRotor,
+    no_squish::NoSquish,
+    moser_veselov::MoserVeselov,
+    moser_veselov_4::MoserVeselov4,
+    moser_veselov_6::MoserVeselov6,
+    moser_veselov_8::MoserVeselov8,
+    moser_veselov_10::MoserVeselov10,
+    yoshida_4::Yoshida4,
+    suzuki_4::Suzuki4,
+    kahan_li_6::KahanLi6,
+    kahan_li_8::KahanLi8;
 }

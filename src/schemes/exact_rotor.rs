@@ -1,0 +1,39 @@
+//! The exact free rotor and a kick.
+//!
+//! (1)  Q: the turn of the free body in the time h in closed form, by Jacobi's elliptic functions (`free_rotor`)
+//!
+//! between half kicks. Source: vanzon2007, celledoni2008. Order 2 under torque, exact without; symplectic, symmetric.
+
+use nalgebra::Vector3;
+
+use super::Card;
+use super::splitting::splitting;
+use crate::claim::{Claim, Quantity, When};
+use crate::free_rotor;
+use crate::model::{Broken, Rotational};
+use crate::rotation::Rotation;
+
+splitting! {
+    /// Jacobi's elliptic functions and a kick.
+    ExactRotor, free_turn, Card {
+        name: "exact-rotor",
+        title: "Exact free rotor by elliptic functions, and a kick",
+        family: "geometric",
+        source: "vanzon2007, celledoni2008",
+        claims: &[
+            Claim::Order(2),
+            Claim::Exact(Quantity::Velocity, When::ConstantForce),
+            Claim::Exact(Quantity::Position, When::ConstantForce),
+            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+            Claim::Exact(Quantity::Orientation, When::NoTorque),
+            Claim::Exact(Quantity::AngularVelocity, When::NoTorque),
+            Claim::VerticalMomentum,
+            Claim::Rigid,
+            Claim::Evaluations(1),
+        ],
+    }
+}
+
+fn free_turn(rotational: &Rotational, momentum: &Vector3<f64>, h: f64) -> Result<Rotation, Broken> {
+    Ok(free_rotor::turn_in(&rotational.moments, momentum, h)) // (1)
+}

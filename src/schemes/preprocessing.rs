@@ -1,0 +1,111 @@
+//! Moments of inertia with which the discrete Moser–Veselov equation moves a free body as the true moments would.
+//!
+//! The equation keeps l·I⁻¹l and |l|, so its modified Hamiltonian is a function of H = ½ l·I⁻¹l and C = |l|². With
+//! η = H/C, x = h² C and e₁, e₂, e₃ the elementary symmetric functions of ηⱼ = 1/(2 Iⱼ):
+//!
+//! (1)  K(H, C) = C [η + x k₁(η) + x² k₂(η) + x³ k₃(η) + x⁴ k₄(η) + …],   kₘ a polynomial of degree m + 1
+//! (2)  on a steady spin about axis j, η = ηⱼ:      sin(h ∂K/∂|l|) = h |l|/Iⱼ
+//! (3)  small oscillations about it:                tan(h ν/2) = κ tan(h ω/2),  κ² = (Iⱼ − Iₖ)(Iⱼ − Iₗ)/(Iₖ Iₗ)
+//!
+//! (2) fixes kₘ and (3) its slope at three nodes, six conditions: enough for degree 5, m = 4. The equation with
+//! other moments 1/Ĩⱼ = σ/Iⱼ + 2 δ, so with nodes σ ηⱼ + δ and η̃ = σ η + δ, moves along the same curve, as the body does
+//! where
+//!
+//! (4)  σ ∂K̃/∂H = 1,   δ ∂K̃/∂H + ∂K̃/∂C = 0          an iteration from σ = 1, δ = 0 gains two orders in h each time
+//!
+//! Source: hairer2006mv, whose series (4) solves; (1)–(3) are derived here, the polynomials from (2) and (3).
+
+use nalgebra::Vector3;
+
+/// kₘ(η) and its slope, for m = 1 … 4.
+fn polynomial(m: usize, e: f64, [e1, e2, e3]: [f64; 3]) -> (f64, f64) {
+    let coefficients = match m {
+        1 => [e3, -e2, e1, 0.0, 0.0, 0.0].map(|c| c / 3.0),
+        2 => [-e2 * e3, 2.0 * e1 * e3 + e2 * e2, 2.0 * e3 - 3.0 * e1 * e2, 2.0 * e1 * e1 - e2, 0.0, 0.0]
+            .map(|c| c / 5.0),
+        3 => [
+            e1 * e3 * e3 + e2 * e2 * e3,
+            4.0 * e3 * e3 - 6.0 * e1 * e2 * e3 - e2 * e2 * e2,
+            6.0 * e1 * e1 * e3 + 6.0 * e1 * e2 * e2 - 9.0 * e2 * e3,
+            8.0 * e1 * e3 + 4.0 * e2 * e2 - 10.0 * e1 * e1 * e2,
+            5.0 * e1 * e1 * e1 - 5.0 * e1 * e2 + e3,
+            0.0,
+        ]
+        .map(|c| c / 7.0),
+        _ => [
+            2.0 * e3 * e3 * e3 - 3.0 * e1 * e2 * e3 * e3 - e2 * e2 * e2 * e3,
+            6.0 * e1 * e1 * e3 * e3 + 12.0 * e1 * e2 * e2 * e3 + e2.powi(4) - 15.0 * e2 * e3 * e3,
+            24.0 * e1 * e3 * e3 + 24.0 * e2 * e2 * e3 - 30.0 * e1 * e1 * e2 * e3 - 10.0 * e1 * e2.powi(3),
+            20.0 * e1.powi(3) * e3 + 30.0 * e1 * e1 * e2 * e2 - 60.0 * e1 * e2 * e3 - 10.0 * e2.powi(3)
+                + 12.0 * e3 * e3,
+            30.0 * e1 * e1 * e3 + 30.0 * e1 * e2 * e2 - 35.0 * e1.powi(3) * e2 - 15.0 * e2 * e3,
+            14.0 * e1.powi(4) - 21.0 * e1 * e1 * e2 + 6.0 * e1 * e3 + 3.0 * e2 * e2,
+        ]
+        .map(|c| c / 9.0),
+    };
+    coefficients
+        .iter()
+        .rev()
+        .fold((0.0, 0.0), |(value, slope), coefficient| (value * e + coefficient, slope * e + value))
+}
+
+/// The moments Ĩ [kg m²] of (4) with the first `terms` polynomials: order 2 + 2 `terms` for a free body.
+pub(super) fn preprocessed(
+    moments: &Vector3<f64>,
+    momentum: &Vector3<f64>,
+    h: f64,
+    terms: usize,
+) -> Vector3<f64> {
+    let square = momentum.norm_squared();
+    if square == 0.0 {
+        return *moments;
+    }
+    let nodes = moments.map(|moment| 0.5 / moment);
+    let eta = momentum.component_mul(&nodes).dot(momentum) / square;
+    let x = h * h * square;
+    let (mut sigma, mut delta) = (1.0, 0.0);
+    for _ in 0..terms {
+        let (n, e) = (nodes.map(|node| sigma * node + delta), sigma * eta + delta);
+        let symmetric = [n.sum(), n.x * n.y + n.y * n.z + n.z * n.x, n.product()];
+        let (mut by_energy, mut by_square, mut power) = (1.0, 0.0, 1.0);
+        for m in 1..=terms {
+            let (value, slope) = polynomial(m, e, symmetric);
+            power *= x;
+            by_energy += power * slope; // ∂K̃/∂H
+            by_square += power * ((m + 1) as f64 * value - e * slope); // ∂K̃/∂C
+        }
+        (sigma, delta) = (1.0 / by_energy, -by_square / by_energy); // (4)
+    }
+    nodes.map(|node| 0.5 / (sigma * node + delta))
+}
+
+/// Declares a preprocessed Moser–Veselov scheme.
+macro_rules! preprocessed_scheme {
+    ($(#[$doc:meta])* $scheme:ident, $name:literal, $title:literal, $terms:literal) => {
+        $crate::schemes::splitting::splitting! {
+            $(#[$doc])*
+            $scheme, free_turn, $crate::schemes::Card {
+                name: $name,
+                title: $title,
+                family: "geometric",
+                source: "hairer2006mv",
+                claims: &[
+                    Claim::Order(2),
+                    Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                    Claim::Exact(Quantity::Position, When::ConstantForce),
+                    Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+                    Claim::VerticalMomentum,
+                    Claim::FlipTimes,
+                    Claim::Rigid,
+                    Claim::Evaluations(1),
+                ],
+            }
+        }
+
+        fn free_turn(rotational: &Rotational, momentum: &Vector3<f64>, h: f64) -> Result<Rotation, Broken> {
+            let moments = preprocessed(&rotational.moments, momentum, h, $terms); // (1)
+            discrete_turn(&moments, momentum, h) // (2)
+        }
+    };
+}
+pub(super) use preprocessed_scheme;

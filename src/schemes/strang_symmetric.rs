@@ -1,0 +1,57 @@
+//! Strang splitting into a symmetric top and a rotation: kick, half rotation, symmetric top, half rotation, kick.
+//!
+//! With B the middle moment, C the extreme one that 1/B is farther from and A the other, axes c and a:
+//!
+//! (1)  ½ Σ l²/I = [½ |l|²/B + ½ (1/C − 1/B) l_c²] + ½ (1/A − 1/B) l_a²
+//! (2)  the bracket, a symmetric top, turns by   exp(h l/B) exp(h (1/C − 1/B) l_c e_c)
+//! (3)  the rest turns by                        exp(s (1/A − 1/B) l_a e_a),  s = h/2 before and after
+//!
+//! Source: touma1994, fasso2003. Order 2, symplectic, symmetric; exact for spheres and symmetric bodies.
+
+use nalgebra::Vector3;
+
+use super::Card;
+use super::splitting::splitting;
+use crate::claim::{Claim, Quantity, When};
+use crate::model::{Broken, Rotational};
+use crate::rotation::{self, Rotation};
+
+splitting! {
+    /// Symmetric top, rotation and kick.
+    StrangSymmetric, free_turn, Card {
+        name: "strang-symmetric",
+        title: "Strang splitting into a symmetric top and a rotation",
+        family: "geometric",
+        source: "touma1994, fasso2003",
+        claims: &[
+            Claim::Order(2),
+            Claim::Exact(Quantity::Velocity, When::ConstantForce),
+            Claim::Exact(Quantity::Position, When::ConstantForce),
+            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+            Claim::Exact(Quantity::Orientation, When::SteadySpin),
+            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+            Claim::VerticalMomentum,
+            Claim::FlipTimes,
+            Claim::Rigid,
+            Claim::Evaluations(1),
+        ],
+    }
+}
+
+/// (3) (2) (3).
+fn free_turn(rotational: &Rotational, momentum: &Vector3<f64>, h: f64) -> Result<Rotation, Broken> {
+    let inverse = &rotational.inverse_moments;
+    let mut order = [0, 1, 2];
+    order.sort_by(|i, j| inverse[*i].total_cmp(&inverse[*j]));
+    let [low, b, high] = order;
+    let high_is_farther = inverse[high] - inverse[b] > inverse[b] - inverse[low];
+    let (a, c) = if high_is_farther { (low, high) } else { (high, low) };
+    let rest = |l: &Vector3<f64>| Vector3::ith(a, 0.5 * h * (inverse[a] - inverse[b]) * l[a]); // (3)
+
+    let before = rotation::turn(&rest(momentum));
+    let l = before.inverse_transform_vector(momentum);
+    let own = Vector3::ith(c, h * (inverse[c] - inverse[b]) * l[c]);
+    let top = rotation::turn(&(l * (h * inverse[b]))) * rotation::turn(&own); // (2)
+    let l = top.inverse_transform_vector(&l);
+    Ok(before * top * rotation::turn(&rest(&l)))
+}
