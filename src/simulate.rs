@@ -160,6 +160,12 @@ fn run_any<S: Scheme>(model: &AnyModel, plan: &Plan, store: &mut dyn FnMut(&Snap
 
 fn run_turning<S: TurningScheme>(model: &AnyModel, plan: &Plan, store: &mut dyn FnMut(&Snapshot)) -> Outcome {
     match model {
+        AnyModel::Free(model) if !S::KEEPS_MOMENTUM => {
+            run::<InBodyAxes<S>, _>(&model.with_momentum(), plan, store)
+        }
+        AnyModel::Falling(model) if !S::KEEPS_MOMENTUM => {
+            run::<InBodyAxes<S>, _>(&model.with_momentum(), plan, store)
+        }
         AnyModel::Free(model) => run::<InBodyAxes<S>, _>(model, plan, store),
         AnyModel::Falling(model) => run::<InBodyAxes<S>, _>(model, plan, store),
         AnyModel::Torque(model) | AnyModel::Pivot(model) => run::<InBodyAxes<S>, _>(model, plan, store),
@@ -286,6 +292,10 @@ impl<M: Turning> Turning for Counted<'_, M> {
 
     fn drift(&self, state: &mut M::State, s: f64) {
         self.model.drift(state, s);
+    }
+
+    fn apart(&self, a: &M::State, b: &M::State) -> f64 {
+        self.model.apart(a, b)
     }
 
     fn reads_velocity(&self) -> bool {

@@ -142,7 +142,8 @@ pub fn climb(contestant: &Contestant, system: &System, reference: &Reference, or
         before = states;
         if index + 1 >= FEWEST_RUNGS {
             evidence.ladders = ladders(&evidence.rungs, order);
-            if evidence.ladders.iter().all(|ladder| settled(ladder, order)) {
+            // A scheme that claims no order has none to settle.
+            if order == 0 || evidence.ladders.iter().all(|ladder| settled(ladder, order)) {
                 break;
             }
         }
