@@ -4,6 +4,8 @@
 //! axes. It sees no scene, no reference and no gate: it
 //! cannot know that it is being examined.
 
+mod vector_form;
+
 use crate::claim::Claim;
 use crate::model::{Broken, Model, Turning};
 
@@ -77,6 +79,8 @@ pub trait TurningScheme: 'static {
     const TAKES_VELOCITY_FORCES: bool;
     /// Whether the body may be a rod or a point, whose moments are not all above zero.
     const TAKES_RODS: bool;
+    /// Whether L is constant without torque, so that a model may leave it out of the state.
+    const KEEPS_MOMENTUM: bool = true;
 
     /// One step from `t` to `t + h`: reads `from`, writes `to`.
     ///
@@ -118,5 +122,7 @@ list! {
     any:
     peskin_rk2::PeskinRk2,
     euler::Euler;
-    turning: ;
+    turning:
+    rk4_quaternion::Rk4Quaternion,
+    rk4_matrix::Rk4Matrix;
 }
