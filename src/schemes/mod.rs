@@ -4,6 +4,7 @@
 //! axes. It sees no scene, no reference and no gate: it
 //! cannot know that it is being examined.
 
+mod semi_implicit;
 mod vector_form;
 
 use crate::claim::Claim;
@@ -124,5 +125,9 @@ list! {
     euler::Euler;
     turning:
     rk4_quaternion::Rk4Quaternion,
-    rk4_matrix::Rk4Matrix;
+    rk4_matrix::Rk4Matrix,
+    semi_implicit_euler_no_gyro::SemiImplicitEulerNoGyro,
+    semi_implicit_euler_explicit_gyro::SemiImplicitEulerExplicitGyro,
+    semi_implicit_euler_implicit_gyro::SemiImplicitEulerImplicitGyro,
+    momentum_clamped_euler::MomentumClampedEuler;
 }
