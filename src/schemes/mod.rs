@@ -4,6 +4,8 @@
 //! axes. It sees no scene, no reference and no gate: it
 //! cannot know that it is being examined.
 
+mod cayley;
+mod iteration;
 mod semi_implicit;
 mod vector_form;
 
@@ -129,5 +131,11 @@ list! {
     semi_implicit_euler_no_gyro::SemiImplicitEulerNoGyro,
     semi_implicit_euler_explicit_gyro::SemiImplicitEulerExplicitGyro,
     semi_implicit_euler_implicit_gyro::SemiImplicitEulerImplicitGyro,
-    momentum_clamped_euler::MomentumClampedEuler;
+    momentum_clamped_euler::MomentumClampedEuler,
+    implicit_midpoint::ImplicitMidpoint,
+    krysl_liemid::KryslLiemid,
+    krysl_liemid_ea::KryslLiemidEa,
+    simo_wong::SimoWong,
+    buss_augmented::BussAugmented,
+    lie_verlet::LieVerlet;
 }
