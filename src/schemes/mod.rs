@@ -5,6 +5,7 @@
 //! cannot know that it is being examined.
 
 mod cayley;
+mod collocation;
 mod iteration;
 mod semi_implicit;
 mod vector_form;
@@ -137,5 +138,7 @@ list! {
     krysl_liemid_ea::KryslLiemidEa,
     simo_wong::SimoWong,
     buss_augmented::BussAugmented,
-    lie_verlet::LieVerlet;
+    lie_verlet::LieVerlet,
+    gauss_legendre_4::GaussLegendre4,
+    gauss_legendre_6::GaussLegendre6;
 }
