@@ -154,7 +154,8 @@ pub fn climb(contestant: &Contestant, system: &System, reference: &Reference, or
         if index + 1 >= FEWEST_RUNGS {
             let last = std::mem::replace(&mut evidence.ladders, ladders(&evidence.rungs, order));
             let mut pairs = evidence.ladders.iter().enumerate();
-            if pairs.all(|(index, ladder)| settled(ladder, last.get(index), order)) {
+            // A scheme that claims no order has none to settle.
+            if order == 0 || pairs.all(|(index, ladder)| settled(ladder, last.get(index), order)) {
                 break;
             }
         }

@@ -5,6 +5,8 @@ use std::ops::{Add, Mul};
 
 use nalgebra::Vector3;
 
+use super::forced::Forced;
+use super::forces::Forces;
 use super::system::{Rotational, Start};
 use super::{Broken, Model, Snapshot, finite};
 use crate::rotation::{self, Rotation};
@@ -16,6 +18,21 @@ pub struct Falling {
     pub(super) start: Start,
     /// F/M [m/s²], world.
     pub(super) acceleration: Vector3<f64>,
+    pub(super) forces: Forces,
+    /// 1/M [1/kg].
+    pub(super) inverse_mass: f64,
+}
+
+impl Falling {
+    /// The same body with an L of its own in the state, for schemes that do not keep L by themselves.
+    pub fn with_momentum(&self) -> Forced {
+        Forced {
+            rotational: self.rotational.clone(),
+            start: self.start,
+            forces: self.forces.clone(),
+            inverse_mass: self.inverse_mass,
+        }
+    }
 }
 
 /// State of a falling body.

@@ -3,6 +3,8 @@
 
 use nalgebra::Vector3;
 
+use super::forces::Forces;
+use super::rotor::Rotor;
 use super::system::{Rotational, Start};
 use super::{Broken, Model, Snapshot};
 use crate::rotation::{self, Rotation};
@@ -12,6 +14,19 @@ use crate::rotation::{self, Rotation};
 pub struct Free {
     pub(super) rotational: Rotational,
     pub(super) start: Start,
+}
+
+impl Free {
+    /// The same body with an L of its own in the state, for schemes that do not keep L by themselves.
+    pub fn with_momentum(&self) -> Rotor {
+        Rotor {
+            rotational: self.rotational.clone(),
+            start: self.start,
+            forces: Forces::default(),
+            pivot: None,
+            center: Vector3::zeros(),
+        }
+    }
 }
 
 impl Model for Free {

@@ -142,6 +142,9 @@ pub trait Turning: Model {
     /// X_cm + s U_cm with the state's own U_cm, where the model keeps it; all else stays.
     fn drift(&self, state: &mut Self::State, s: f64);
 
+    /// How far two states are apart, each part over its own size: the largest of the parts. Ends an iteration.
+    fn apart(&self, a: &Self::State, b: &Self::State) -> f64;
+
     /// Whether a force depends on a velocity, which a splitting into kicks and drifts cannot take.
     fn reads_velocity(&self) -> bool;
 }

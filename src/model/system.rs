@@ -282,7 +282,8 @@ impl System {
                     |law| if let Law::Gravity(gravity) = law { Some(gravity.acceleration) } else { None },
                 )
                 .sum();
-            return AnyModel::Falling(Falling { rotational, start, acceleration });
+            let inverse_mass = 1.0 / self.body.mass;
+            return AnyModel::Falling(Falling { rotational, start, acceleration, forces, inverse_mass });
         }
         if laws.iter().all(Law::is_torque) {
             let center = Vector3::zeros();

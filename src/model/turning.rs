@@ -8,7 +8,7 @@ use super::forced::Forced;
 use super::free::Free;
 use super::rotor::Rotor;
 use super::system::Rotational;
-use crate::rotation::Rotation;
+use crate::rotation::{Rotation, length};
 
 impl Turning for Free {
     fn rotational(&self) -> &Rotational {
@@ -38,6 +38,10 @@ impl Turning for Free {
     fn kick(&self, _state: &mut Rotation, _s: f64, _rates: &Vector3<f64>) {}
 
     fn drift(&self, _state: &mut Rotation, _s: f64) {}
+
+    fn apart(&self, a: &Rotation, b: &Rotation) -> f64 {
+        attitude_apart(a, b)
+    }
 
     fn reads_velocity(&self) -> bool {
         false
@@ -77,6 +81,12 @@ impl Turning for Falling {
         state.position += state.velocity * s;
     }
 
+    fn apart(&self, a: &Self::State, b: &Self::State) -> f64 {
+        attitude_apart(&a.attitude, &b.attitude)
+            .max(relative(&a.position, &b.position))
+            .max(relative(&a.velocity, &b.velocity))
+    }
+
     fn reads_velocity(&self) -> bool {
         false
     }
@@ -113,6 +123,10 @@ impl Turning for Rotor {
     }
 
     fn drift(&self, _state: &mut Self::State, _s: f64) {}
+
+    fn apart(&self, a: &Self::State, b: &Self::State) -> f64 {
+        attitude_apart(&a.attitude, &b.attitude).max(relative(&a.momentum, &b.momentum))
+    }
 
     fn reads_velocity(&self) -> bool {
         self.forces.read_velocity()
@@ -154,7 +168,25 @@ impl Turning for Forced {
         state.position += state.velocity * s;
     }
 
+    fn apart(&self, a: &Self::State, b: &Self::State) -> f64 {
+        attitude_apart(&a.attitude, &b.attitude)
+            .max(relative(&a.position, &b.position))
+            .max(relative(&a.velocity, &b.velocity))
+            .max(relative(&a.momentum, &b.momentum))
+    }
+
     fn reads_velocity(&self) -> bool {
         self.forces.read_velocity()
     }
+}
+
+/// |q_a − q_b|: half the angle between two attitudes near each other.
+fn attitude_apart(a: &Rotation, b: &Rotation) -> f64 {
+    (a.as_ref() - b.as_ref()).norm()
+}
+
+/// |a − b| over the larger length; 0 where both are zero.
+fn relative(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
+    let size = length(a).max(length(b));
+    if size == 0.0 { 0.0 } else { length(&(a - b)) / size }
 }

@@ -4,6 +4,12 @@
 //! axes. It sees no scene, no reference and no gate: it
 //! cannot know that it is being examined.
 
+mod cayley;
+mod collocation;
+mod iteration;
+mod semi_implicit;
+mod vector_form;
+
 use crate::claim::Claim;
 use crate::model::{Broken, Model, Turning};
 
@@ -77,6 +83,8 @@ pub trait TurningScheme: 'static {
     const TAKES_VELOCITY_FORCES: bool;
     /// Whether the body may be a rod or a point, whose moments are not all above zero.
     const TAKES_RODS: bool;
+    /// Whether L is constant without torque, so that a model may leave it out of the state.
+    const KEEPS_MOMENTUM: bool = true;
 
     /// One step from `t` to `t + h`: reads `from`, writes `to`.
     ///
@@ -135,5 +143,19 @@ list! {
     yoshida_4::Yoshida4,
     suzuki_4::Suzuki4,
     kahan_li_6::KahanLi6,
-    kahan_li_8::KahanLi8;
+    kahan_li_8::KahanLi8,
+    rk4_quaternion::Rk4Quaternion,
+    rk4_matrix::Rk4Matrix,
+    semi_implicit_euler_no_gyro::SemiImplicitEulerNoGyro,
+    semi_implicit_euler_explicit_gyro::SemiImplicitEulerExplicitGyro,
+    semi_implicit_euler_implicit_gyro::SemiImplicitEulerImplicitGyro,
+    momentum_clamped_euler::MomentumClampedEuler,
+    implicit_midpoint::ImplicitMidpoint,
+    krysl_liemid::KryslLiemid,
+    krysl_liemid_ea::KryslLiemidEa,
+    simo_wong::SimoWong,
+    buss_augmented::BussAugmented,
+    lie_verlet::LieVerlet,
+    gauss_legendre_4::GaussLegendre4,
+    gauss_legendre_6::GaussLegendre6;
 }

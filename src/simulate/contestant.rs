@@ -154,6 +154,12 @@ fn run_in_body_axes<S: TurningScheme>(
     store: &mut dyn FnMut(&Snapshot),
 ) -> Outcome {
     match form.model(system) {
+        Ok(AnyModel::Free(model)) if !S::KEEPS_MOMENTUM => {
+            run::<InBodyAxes<S>, _>(&model.with_momentum(), plan, store)
+        }
+        Ok(AnyModel::Falling(model)) if !S::KEEPS_MOMENTUM => {
+            run::<InBodyAxes<S>, _>(&model.with_momentum(), plan, store)
+        }
         Ok(AnyModel::Free(model)) => run::<InBodyAxes<S>, _>(&model, plan, store),
         Ok(AnyModel::Falling(model)) => run::<InBodyAxes<S>, _>(&model, plan, store),
         Ok(AnyModel::Torque(model) | AnyModel::Pivot(model)) => run::<InBodyAxes<S>, _>(&model, plan, store),

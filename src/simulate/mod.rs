@@ -188,6 +188,10 @@ impl<M: Turning> Turning for Counted<'_, M> {
         self.model.drift(state, s);
     }
 
+    fn apart(&self, a: &M::State, b: &M::State) -> f64 {
+        self.model.apart(a, b)
+    }
+
     fn reads_velocity(&self) -> bool {
         self.model.reads_velocity()
     }

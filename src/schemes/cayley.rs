@@ -1,0 +1,38 @@
+//! Cayley's map in place of the exponential, and the spin of a free step that uses it.
+
+use nalgebra::{Matrix3, Quaternion, Vector3};
+
+use super::iteration::until_settled;
+use crate::model::Broken;
+use crate::rotation::{Rotation, length};
+
+/// cay(v) = (E − [v]×/2)⁻¹ (E + [v]×/2): the rotation of the quaternion (1, v/2) over its length, by 2 atan(|v|/2).
+pub(super) fn cayley(v: &Vector3<f64>) -> Rotation {
+    Rotation::new_normalize(Quaternion::from_parts(1.0, v / 2.0))
+}
+
+/// The spin ω about principal axes that a step of free motion with Cayley's map turns by, from m = Rᵀ L at its start:
+/// I ω + h/2 ω × I ω + h²/4 (ω·I ω) ω = m, the left trivialised derivative of cay⁻¹, by Newton's method.
+///
+/// # Errors
+/// [`Broken::NoConvergence`]; [`Broken::Singular`] where a moment is zero.
+pub(super) fn spin_of_step(
+    moments: &Vector3<f64>,
+    h: f64,
+    momentum: &Vector3<f64>,
+) -> Result<Vector3<f64>, Broken> {
+    let inertia = Matrix3::from_diagonal(moments);
+    let mut spin = momentum.component_div(moments);
+    until_settled(|| {
+        let own = moments.component_mul(&spin);
+        let energy = spin.dot(&own);
+        let left = own + spin.cross(&own) * (h / 2.0) + spin * (energy * h * h / 4.0) - momentum;
+        let slope = inertia
+            + (spin.cross_matrix() * inertia - own.cross_matrix()) * (h / 2.0)
+            + (Matrix3::identity() * energy + spin * own.transpose() * 2.0) * (h * h / 4.0);
+        let change = slope.lu().solve(&left).ok_or(Broken::Singular)?;
+        spin -= change;
+        Ok(if change.amax() == 0.0 { 0.0 } else { length(&change) / length(&spin) })
+    })?;
+    Ok(spin)
+}

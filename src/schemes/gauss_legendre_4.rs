@@ -1,0 +1,58 @@
+//! Gauss and Legendre's implicit Runge–Kutta method of two stages, on the quaternion and L as plain numbers.
+//!
+//! (1)  y_i = y₀ + h Σ a_ij f(t + c_j h, y_j)
+//! (2)  y₁ = y₀ + h Σ b_j f(t + c_j h, y_j)
+//!
+//! c = ½ ∓ √3/6,  b = ½ ½
+//! A = | ¼         ¼ − √3/6 |
+//!     | ¼ + √3/6  ¼        |
+//!
+//! with q̇ = ½ Ω q. Solved by fixed-point iteration. Source: butcher1964. Fourth order; |q| is a quadratic invariant,
+//! which the method keeps; L constant without torque.
+
+use super::collocation::{self, Tableau};
+use super::{Card, TurningScheme, Workspace};
+use crate::claim::{Claim, Quantity, When};
+use crate::model::{Broken, Turning};
+
+/// Gauss–Legendre of order 4.
+#[derive(Clone, Copy, Debug)]
+pub struct GaussLegendre4;
+
+impl TurningScheme for GaussLegendre4 {
+    const CARD: Card = Card {
+        name: "gauss-legendre-4",
+        title: "Gauss-Legendre, two stages, on quaternion and L",
+        family: "geometric",
+        source: "butcher1964",
+        claims: &[
+            Claim::Order(4),
+            Claim::Exact(Quantity::Velocity, When::ConstantForce),
+            Claim::Exact(Quantity::Position, When::ConstantForce),
+            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+            Claim::VerticalMomentum,
+            Claim::Rigid,
+        ],
+    };
+    const STATES: usize = 3;
+    const TAKES_VELOCITY_FORCES: bool = true;
+    const TAKES_RODS: bool = true;
+
+    fn step<M: Turning>(
+        model: &M,
+        t: f64,
+        h: f64,
+        from: &M::State,
+        to: &mut M::State,
+        work: &mut Workspace<M>,
+    ) -> Result<(), Broken> {
+        let root = 3f64.sqrt();
+        let tableau = Tableau {
+            matrix: [[1.0 / 4.0, 1.0 / 4.0 - root / 6.0], [1.0 / 4.0 + root / 6.0, 1.0 / 4.0]],
+            weights: [1.0 / 2.0; 2],
+            nodes: [1.0 / 2.0 - root / 6.0, 1.0 / 2.0 + root / 6.0],
+        };
+        collocation::step(&tableau, (t, h), model, from, to, work) // (1), (2)
+    }
+}

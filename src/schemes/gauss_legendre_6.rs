@@ -1,0 +1,63 @@
+//! Gauss and Legendre's implicit Runge–Kutta method of three stages, on the quaternion and L as plain numbers.
+//!
+//! (1)  y_i = y₀ + h Σ a_ij f(t + c_j h, y_j)
+//! (2)  y₁ = y₀ + h Σ b_j f(t + c_j h, y_j)
+//!
+//! c = ½ − √15/10  ½  ½ + √15/10,  b = 5/18  4/9  5/18
+//! A = | 5/36            2/9 − √15/15   5/36 − √15/30 |
+//!     | 5/36 + √15/24   2/9            5/36 − √15/24 |
+//!     | 5/36 + √15/30   2/9 + √15/15   5/36          |
+//!
+//! with q̇ = ½ Ω q. Solved by fixed-point iteration. Source: butcher1964. Sixth order; |q| is a quadratic invariant,
+//! which the method keeps; L constant without torque.
+
+use super::collocation::{self, Tableau};
+use super::{Card, TurningScheme, Workspace};
+use crate::claim::{Claim, Quantity, When};
+use crate::model::{Broken, Turning};
+
+/// Gauss–Legendre of order 6.
+#[derive(Clone, Copy, Debug)]
+pub struct GaussLegendre6;
+
+impl TurningScheme for GaussLegendre6 {
+    const CARD: Card = Card {
+        name: "gauss-legendre-6",
+        title: "Gauss-Legendre, three stages, on quaternion and L",
+        family: "geometric",
+        source: "butcher1964",
+        claims: &[
+            Claim::Order(6),
+            Claim::Exact(Quantity::Velocity, When::ConstantForce),
+            Claim::Exact(Quantity::Position, When::ConstantForce),
+            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+            Claim::VerticalMomentum,
+            Claim::Rigid,
+        ],
+    };
+    const STATES: usize = 4;
+    const TAKES_VELOCITY_FORCES: bool = true;
+    const TAKES_RODS: bool = true;
+
+    fn step<M: Turning>(
+        model: &M,
+        t: f64,
+        h: f64,
+        from: &M::State,
+        to: &mut M::State,
+        work: &mut Workspace<M>,
+    ) -> Result<(), Broken> {
+        let root = 15f64.sqrt();
+        let tableau = Tableau {
+            matrix: [
+                [5.0 / 36.0, 2.0 / 9.0 - root / 15.0, 5.0 / 36.0 - root / 30.0],
+                [5.0 / 36.0 + root / 24.0, 2.0 / 9.0, 5.0 / 36.0 - root / 24.0],
+                [5.0 / 36.0 + root / 30.0, 2.0 / 9.0 + root / 15.0, 5.0 / 36.0],
+            ],
+            weights: [5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0],
+            nodes: [1.0 / 2.0 - root / 10.0, 1.0 / 2.0, 1.0 / 2.0 + root / 10.0],
+        };
+        collocation::step(&tableau, (t, h), model, from, to, work) // (1), (2)
+    }
+}

@@ -1,0 +1,27 @@
+//! The iteration that implicit schemes share: repeated until nothing changes but rounding.
+
+use crate::model::Broken;
+
+/// Change of an iterate, relative, that is rounding.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// Change that must be reached; below it the iteration goes on for as long as it improves.
+const TOLERANCE: f64 = 1e-12;
+/// Iterations at most.
+const MOST: u32 = 100;
+
+/// Repeats `improve`, which returns how far it has moved its iterate, until that is rounding, or is below 1e-12
+/// and falls no more.
+///
+/// # Errors
+/// [`Broken::NoConvergence`], or what `improve` cannot do.
+pub(super) fn until_settled(mut improve: impl FnMut() -> Result<f64, Broken>) -> Result<(), Broken> {
+    let mut last = f64::INFINITY;
+    for _ in 0..MOST {
+        let change = improve()?;
+        if change <= ROUNDING || (change <= TOLERANCE && change >= last) {
+            return Ok(());
+        }
+        last = change;
+    }
+    Err(Broken::NoConvergence { iterations: MOST, residual: last, tolerance: TOLERANCE })
+}

@@ -1,0 +1,78 @@
+//! The midpoint Lie algorithm with the impulse of the torque at the ends of the step, once after and once before
+//! half a step of free motion: explicit in the forces.
+//!
+//! (1)  L½ = L₀ + h/2 τ₀,  U½ = U₀ + h/2 F₀/M
+//! (2)  X₁ = X₀ + h U½
+//! (3)  twice:  Θ = h/2 Ω(exp(Θ/2) R, L½),  R ← exp(Θ) R
+//! (4)  L₁ = L½ + h/2 τ₁,  U₁ = U½ + h/2 F₁/M
+//!
+//! (3) is solved by fixed-point iteration; Ω(R, L) = R I⁻¹ Rᵀ L. Source: krysl2005. Second order, by composing two
+//! adjoint methods of first order; L constant without torque.
+
+use nalgebra::Vector3;
+
+use super::iteration::until_settled;
+use super::{Card, TurningScheme, Workspace};
+use crate::claim::{Claim, Quantity, When};
+use crate::model::{Broken, Rotational, Turning};
+use crate::rotation::{self, Rotation, renormalized, turn};
+
+/// The midpoint Lie algorithm with end impulses.
+#[derive(Clone, Copy, Debug)]
+pub struct KryslLiemidEa;
+
+impl TurningScheme for KryslLiemidEa {
+    const CARD: Card = Card {
+        name: "krysl-liemid-ea",
+        title: "midpoint Lie algorithm, explicit in the forces (LIEMID[EA])",
+        family: "Lie group",
+        source: "krysl2005",
+        claims: &[
+            Claim::Order(2),
+            Claim::Exact(Quantity::Velocity, When::ConstantForce),
+            Claim::Exact(Quantity::Position, When::ConstantForce),
+            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+            Claim::Exact(Quantity::Orientation, When::SteadySpin),
+            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+            Claim::VerticalMomentum,
+            Claim::FlipTimes,
+            Claim::Rigid,
+            Claim::Evaluations(2),
+        ],
+    };
+    const STATES: usize = 0;
+    const TAKES_VELOCITY_FORCES: bool = false;
+    const TAKES_RODS: bool = true;
+
+    fn step<M: Turning>(
+        model: &M,
+        t: f64,
+        h: f64,
+        from: &M::State,
+        to: &mut M::State,
+        _work: &mut Workspace<M>,
+    ) -> Result<(), Broken> {
+        let k0 = model.rates(t, from)?;
+        to.clone_from(from);
+        model.kick(to, h / 2.0, &k0); // (1)
+        model.drift(to, h); // (2)
+        let momentum = model.momentum(to);
+        let first = free_midpoint(model.rotational(), h / 2.0, &model.attitude(to), &momentum)?; // (3)
+        let second = free_midpoint(model.rotational(), h / 2.0, &first, &momentum)?;
+        model.place(to, second, momentum);
+        let k1 = model.rates(t + h, to)?;
+        model.kick(to, h / 2.0, &k1); // (4)
+        Ok(())
+    }
+}
+
+/// The attitude of a free body after a time `s`, by (3).
+fn free_midpoint(body: &Rotational, s: f64, q: &Rotation, l: &Vector3<f64>) -> Result<Rotation, Broken> {
+    let mut angle = body.spin(q, l) * s;
+    until_settled(|| {
+        let last = angle;
+        angle = body.spin(&(turn(&(last / 2.0)) * q), l) * s;
+        Ok(rotation::length(&(angle - last)))
+    })?;
+    Ok(renormalized(turn(&angle) * q))
+}

@@ -1,0 +1,38 @@
+//! What the engines' first-order rules share: velocities first, then positions and orientation by them.
+
+use nalgebra::Vector3;
+
+use super::vector_form::quaternion_rate;
+use crate::model::Turning;
+use crate::rotation::Rotation;
+
+/// The spin about the principal axes and the torque about them, at a state with these rates.
+pub(super) fn in_body_axes<M: Turning>(
+    model: &M,
+    state: &M::State,
+    rates: &M::Rates,
+) -> (Vector3<f64>, Vector3<f64>) {
+    let attitude = model.attitude(state);
+    let to_body = |v: Vector3<f64>| attitude.inverse_transform_vector(&v);
+    (to_body(model.spin_of(rates)), to_body(model.torque_of(rates)))
+}
+
+/// The step once the new spin ω₁ is known, about the principal axes of the old attitude:
+/// U₁ = U₀ + h F/M, X₁ = X₀ + h U₁, q₁ = q₀ + h/2 Ω₁ q₀ over its length, L₁ = I(q₁) Ω₁ with Ω₁ = R₀ ω₁.
+pub(super) fn move_by<M: Turning>(
+    model: &M,
+    h: f64,
+    from: &M::State,
+    rates: &M::Rates,
+    spin: &Vector3<f64>,
+    to: &mut M::State,
+) {
+    to.clone_from(from);
+    model.kick(to, h, rates);
+    model.drift(to, h);
+    let attitude = model.attitude(from);
+    let spin = attitude * spin;
+    let turned = Rotation::new_normalize(*attitude + quaternion_rate(&spin, &attitude) * h);
+    let momentum = turned * turned.inverse_transform_vector(&spin).component_mul(&model.rotational().moments);
+    model.place(to, turned, momentum);
+}

@@ -1,0 +1,54 @@
+//! Semi-implicit Euler with the gyroscopic term of the old spin.
+//!
+//! (1)  ω₁ = ω₀ + h I⁻¹ (τ − ω₀ × I ω₀)
+//! (2)  U₁ = U₀ + h F/M,  X₁ = X₀ + h U₁,  q₁ = q₀ + h/2 Ω₁ q₀ over its length,  Ω₁ = R₀ ω₁,  L₁ = I(q₁) Ω₁
+//!
+//! ω and τ are about the principal axes of the old attitude.
+//!
+//! Source: catto2015. First order; neither L nor energy is kept without torque: both grow.
+
+use super::semi_implicit::{in_body_axes, move_by};
+use super::{Card, TurningScheme, Workspace};
+use crate::claim::{Claim, Quantity, When};
+use crate::model::{Broken, Turning};
+
+/// Semi-implicit Euler with explicit gyroscopic term.
+#[derive(Clone, Copy, Debug)]
+pub struct SemiImplicitEulerExplicitGyro;
+
+impl TurningScheme for SemiImplicitEulerExplicitGyro {
+    const CARD: Card = Card {
+        name: "semi-implicit-euler-explicit-gyro",
+        title: "semi-implicit Euler, explicit gyroscopic term",
+        family: "engines",
+        source: "catto2015",
+        claims: &[
+            Claim::Order(1),
+            Claim::Exact(Quantity::Velocity, When::ConstantForce),
+            Claim::Exact(Quantity::Position, When::NoForce),
+            Claim::Rigid,
+            Claim::Evaluations(1),
+        ],
+    };
+    const STATES: usize = 0;
+    const TAKES_VELOCITY_FORCES: bool = true;
+    const TAKES_RODS: bool = true;
+    const KEEPS_MOMENTUM: bool = false;
+
+    fn step<M: Turning>(
+        model: &M,
+        t: f64,
+        h: f64,
+        from: &M::State,
+        to: &mut M::State,
+        _work: &mut Workspace<M>,
+    ) -> Result<(), Broken> {
+        let k0 = model.rates(t, from)?;
+        let (spin, torque) = in_body_axes(model, from, &k0);
+        let body = model.rotational();
+        let gyroscopic = spin.cross(&body.moments.component_mul(&spin));
+        let spin = spin + body.inverse_moments.component_mul(&(torque - gyroscopic)) * h; // (1)
+        move_by(model, h, from, &k0, &spin, to); // (2)
+        Ok(())
+    }
+}

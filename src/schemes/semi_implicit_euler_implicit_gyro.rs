@@ -1,0 +1,62 @@
+//! Semi-implicit Euler with an implicit gyroscopic term, solved by one Newton step in body axes.
+//!
+//! (1)  ω̃ = ω₀ + h I⁻¹ τ
+//! (2)  f = h ω̃ × I ω̃,  J = I + h ([ω̃]× I − [I ω̃]×)
+//! (3)  ω₁ = ω̃ − J⁻¹ f
+//! (4)  U₁ = U₀ + h F/M,  X₁ = X₀ + h U₁,  q₁ = q₀ + h/2 Ω₁ q₀ over its length,  Ω₁ = R₀ ω₁,  L₁ = I(q₁) Ω₁
+//!
+//! ω and τ are about the principal axes of the old attitude; f is what is left of I (ω − ω̃) + h ω × I ω = 0 at ω̃.
+//!
+//! Source: catto2015. First order; stable, since it takes energy from a free body and, with it, L.
+
+use nalgebra::Matrix3;
+
+use super::semi_implicit::{in_body_axes, move_by};
+use super::{Card, TurningScheme, Workspace};
+use crate::claim::{Claim, Quantity, When};
+use crate::model::{Broken, Turning};
+
+/// Semi-implicit Euler with implicit gyroscopic term.
+#[derive(Clone, Copy, Debug)]
+pub struct SemiImplicitEulerImplicitGyro;
+
+impl TurningScheme for SemiImplicitEulerImplicitGyro {
+    const CARD: Card = Card {
+        name: "semi-implicit-euler-implicit-gyro",
+        title: "semi-implicit Euler, implicit gyroscopic term",
+        family: "engines",
+        source: "catto2015",
+        claims: &[
+            Claim::Order(1),
+            Claim::Exact(Quantity::Velocity, When::ConstantForce),
+            Claim::Exact(Quantity::Position, When::NoForce),
+            Claim::Rigid,
+            Claim::Evaluations(1),
+        ],
+    };
+    const STATES: usize = 0;
+    const TAKES_VELOCITY_FORCES: bool = true;
+    const TAKES_RODS: bool = false;
+    const KEEPS_MOMENTUM: bool = false;
+
+    fn step<M: Turning>(
+        model: &M,
+        t: f64,
+        h: f64,
+        from: &M::State,
+        to: &mut M::State,
+        _work: &mut Workspace<M>,
+    ) -> Result<(), Broken> {
+        let k0 = model.rates(t, from)?;
+        let (spin, torque) = in_body_axes(model, from, &k0);
+        let body = model.rotational();
+        let spin = spin + body.inverse_moments.component_mul(&torque) * h; // (1)
+        let momentum = body.moments.component_mul(&spin);
+        let inertia = Matrix3::from_diagonal(&body.moments);
+        let left = spin.cross(&momentum) * h; // (2)
+        let slope = inertia + (spin.cross_matrix() * inertia - momentum.cross_matrix()) * h;
+        let change = slope.lu().solve(&left).ok_or(Broken::Singular)?;
+        move_by(model, h, from, &k0, &(spin - change), to); // (3), (4)
+        Ok(())
+    }
+}

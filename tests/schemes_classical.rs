@@ -1,0 +1,332 @@
+//! Engines' rules, classical, Lie-group and implicit schemes: their orders, published and known errors, and single
+//! steps against another formulation.
+
+use nalgebra::{Matrix3, Vector3};
+use polhode::claim::{Claim, Quantity};
+use polhode::metrics::{Place, climb};
+use polhode::model::Snapshot;
+use polhode::reference::{Reference, dop853, stored};
+use polhode::regression::Ladder;
+use polhode::rotation::{self, Rotation};
+use polhode::scenes::Scene;
+use polhode::simulate::{Contestant, Plan};
+
+/// The schemes of this file with the order that each has.
+const SCHEMES: [(&str, u32); 13] = [
+    ("rk4-quaternion", 4),
+    ("rk4-matrix", 4),
+    ("semi-implicit-euler-explicit-gyro", 1),
+    ("semi-implicit-euler-implicit-gyro", 1),
+    ("momentum-clamped-euler", 1),
+    ("implicit-midpoint", 2),
+    ("krysl-liemid", 2),
+    ("krysl-liemid-ea", 2),
+    ("simo-wong", 2),
+    ("buss-augmented", 2),
+    ("lie-verlet", 2),
+    ("gauss-legendre-4", 4),
+    ("gauss-legendre-6", 6),
+];
+
+fn scheme(name: &str) -> Contestant {
+    Contestant::all().into_iter().find(|c| c.card.name == name).expect("a scheme of the list")
+}
+
+fn scene(name: &str) -> Scene {
+    Scene::find(name).expect("a built-in scene")
+}
+
+/// The last state of a run over `duration` in `steps` steps.
+fn end_of(contestant: &Contestant, scene: &Scene, duration: f64, steps: u64) -> Snapshot {
+    let trajectory = contestant.run(&scene.system.least(), &Plan::over(duration, steps, 1));
+    assert_eq!(trajectory.outcome.broken, None, "{}", contestant.card.name);
+    trajectory.states[trajectory.states.len() - 1]
+}
+
+fn truth(scene: &Scene, duration: f64) -> Snapshot {
+    let reference = Reference::of(&scene.system, duration, 4, None).expect("a reference");
+    reference.states[4]
+}
+
+fn matrix(snapshot: &Snapshot) -> Matrix3<f64> {
+    snapshot.orientation.to_rotation_matrix().into_inner()
+}
+
+/// Largest error of an entry of R on the heavy asymmetric top after eight seconds of `steps_a_second`.
+fn top_error(name: &str, steps_a_second: u64) -> f64 {
+    let top = scene("heavy-asymmetric-top");
+    let end = end_of(&scheme(name), &top, 8.0, 8 * steps_a_second);
+    (matrix(&end) - matrix(&truth(&top, 8.0))).amax()
+}
+
+#[test]
+fn every_scheme_has_its_order_on_generic_scenes_with_torque() {
+    const SCENES: [&str; 5] =
+        ["heavy-asymmetric-top", "kovalevskaya", "gravity-drag", "tether-springs", "charged-body-in-fields"];
+    let mut read = [0; SCHEMES.len()];
+    for name in SCENES {
+        let scene = scene(name);
+        let stored = stored::find(name).expect("stored solutions are whole");
+        let reference =
+            Reference::of(&scene.system, scene.duration, 64, stored.as_ref()).expect("a reference");
+        for (count, (scheme_name, order)) in read.iter_mut().zip(SCHEMES) {
+            let contestant = scheme(scheme_name);
+            // Six halvings from 0.4 rad a step on leave too little above rounding for order six: a test of its own.
+            if order == 6 || contestant.refusal(&scene.system).is_some() {
+                continue;
+            }
+            let evidence = climb(&contestant, &scene.system, &reference, order);
+            let orientation = evidence
+                .ladders
+                .iter()
+                .find(|l| l.quantity == Quantity::Orientation && l.place == Place::Max)
+                .expect("a ladder of the orientation");
+            let fit = orientation.fit();
+            assert!(!matches!(orientation.ladder, Ladder::Broken), "{scheme_name} broke on {name}");
+            if let Some(fit) = fit {
+                assert!((fit.slope - f64::from(order)).abs() < 0.15, "{scheme_name}, {name}: {fit:?}");
+                *count += 1;
+            }
+        }
+    }
+    for (count, (name, order)) in read.iter().zip(SCHEMES) {
+        assert!(order == 6 || *count >= 3, "{name}: an order on {count} scenes only");
+    }
+}
+
+#[test]
+fn the_cards_claim_the_orders_that_are_measured() {
+    for (name, order) in SCHEMES {
+        assert_eq!(scheme(name).card.order(), order, "{name}");
+    }
+    let none = scheme("semi-implicit-euler-no-gyro").card;
+    assert!(!none.claims.iter().any(|claim| matches!(claim, Claim::Order(_))));
+}
+
+#[test]
+fn errors_on_the_heavy_asymmetric_top_are_the_known_ones() {
+    // (scheme, steps a second, error measured outside this project with other code, largest ratio to it). The known
+    // ones have two digits; 10 % for the same variant, and one digit where only one is known.
+    for (name, steps, known, within) in [
+        ("implicit-midpoint", 128, 4.1e-4, 1.1),
+        ("simo-wong", 128, 4.7e-5, 1.1),
+        ("semi-implicit-euler-no-gyro", 128, 1.3, 1.1),
+        ("semi-implicit-euler-explicit-gyro", 128, 5e-2, 1.1),
+        ("semi-implicit-euler-implicit-gyro", 128, 5e-2, 1.1),
+        // Same computation in another language: forces at q/|q| and L kept. Ω about body axes and forces at the
+        // quaternion as it stands give 1.2e-6 there.
+        ("rk4-quaternion", 32, 3.0e-7, 1.05),
+        ("krysl-liemid", 128, 1.94e-5, 1.05),
+    ] {
+        let error = top_error(name, steps);
+        assert!(error < known * within && error > known / within, "{name}: {error:e}, known {known:e}");
+    }
+}
+
+#[test]
+fn without_the_gyroscopic_term_no_step_is_small_enough() {
+    let (coarse, fine) =
+        (top_error("semi-implicit-euler-no-gyro", 128), top_error("semi-implicit-euler-no-gyro", 8192));
+    assert!(coarse > 1.0 && fine > 1.0, "{coarse:e}, {fine:e}");
+}
+
+#[test]
+fn errors_on_the_comparison_body_are_those_of_the_programs_that_use_the_rule() {
+    // Orientation error [rad] at T = 10 at h = 1e-2 and 1e-3, published to three digits.
+    let unit = scene("euler-top-unit");
+    let exact = truth(&unit, 10.0);
+    let error = |name: &str, steps| {
+        let end = end_of(&scheme(name), &unit, 10.0, steps);
+        rotation::angle_between(&end.orientation, &exact.orientation)
+    };
+    for (name, coarse, fine) in [
+        ("semi-implicit-euler-implicit-gyro", 0.195, 0.0199),
+        ("semi-implicit-euler-explicit-gyro", 0.206, 0.0201),
+    ] {
+        let found = (error(name, 1000), error(name, 10_000));
+        assert!((found.0 / coarse - 1.0).abs() < 0.01, "{name}: {:e}", found.0);
+        assert!((found.1 / fine - 1.0).abs() < 0.01, "{name}: {:e}", found.1);
+    }
+}
+
+#[test]
+fn energy_of_the_heavy_top_over_2000_seconds_stays_bounded_grows_or_falls_as_known() {
+    // Largest relative change measured here, from which it may differ by a factor of two; at the end for those
+    // that take energy all the time.
+    const BOUNDED: [(&str, f64); 8] = [
+        ("implicit-midpoint", 1.57e-4),
+        ("krysl-liemid", 7.98e-5),
+        ("krysl-liemid-ea", 5.27e-5),
+        ("simo-wong", 9.95e-5),
+        ("lie-verlet", 3.37e-4),
+        ("gauss-legendre-4", 4.75e-9),
+        ("rk4-quaternion", 1.30e-6),
+        ("semi-implicit-euler-no-gyro", 1.32e-3),
+    ];
+    let top = scene("heavy-asymmetric-top");
+    for name in SCHEMES.map(|s| s.0).into_iter().chain(["semi-implicit-euler-no-gyro"]) {
+        let trajectory = scheme(name).run(&top.system.least(), &Plan::over(2000.0, 64_000, 4000));
+        let energy = |s: &Snapshot| {
+            top.system.rotational_energy(s) + top.system.potential_energy(s).expect("a potential")
+        };
+        let first = energy(&trajectory.states[0]);
+        let change = |s: &Snapshot| energy(s) / first - 1.0;
+        let last = change(&trajectory.states[trajectory.states.len() - 1]);
+        let largest = trajectory.states.iter().map(|s| change(s).abs()).fold(0.0, f64::max);
+        if let Some((_, known)) = BOUNDED.iter().find(|bounded| bounded.0 == name) {
+            assert!(largest < 2.0 * known && largest > known / 2.0, "{name}: {largest:e}");
+        }
+        match name {
+            // Known from outside: -0.49, and growth without end.
+            "semi-implicit-euler-implicit-gyro" => assert!((last + 0.49).abs() < 0.01, "{last}"),
+            "semi-implicit-euler-explicit-gyro" => assert!(trajectory.outcome.broken.is_some()),
+            // Rounding: 64 000 steps.
+            "gauss-legendre-6" => assert!(largest < 1e-12, "{largest:e}"),
+            _ => {}
+        }
+    }
+}
+
+/// Moments, centre and gravity of the heavy asymmetric top, for the formulas in matrices below.
+fn top_torque(r: &Matrix3<f64>) -> Vector3<f64> {
+    (r * Vector3::new(0.25, 0.0, 1.0)).cross(&Vector3::new(-0.75, 0.0, -1.0))
+}
+
+/// exp of a matrix by its series for angles below 1: shares nothing with the quaternions.
+fn exponential(v: &Vector3<f64>) -> Matrix3<f64> {
+    (1..=24)
+        .rev()
+        .fold(Matrix3::identity(), |sum, k| Matrix3::identity() + v.cross_matrix() * sum / f64::from(k))
+}
+
+fn cayley(v: &Vector3<f64>) -> Matrix3<f64> {
+    let half = v.cross_matrix() / 2.0;
+    (Matrix3::identity() - half).try_inverse().expect("always") * (Matrix3::identity() + half)
+}
+
+#[test]
+fn one_step_satisfies_its_defining_equations_in_matrices() {
+    let top = scene("heavy-asymmetric-top");
+    let inertia = Matrix3::from_diagonal(&Vector3::new(2.0, 2.5, 1.25));
+    let inverse = inertia.try_inverse().expect("regular");
+    let (h, r0, l0) = (0.125, Matrix3::identity(), Vector3::new(0.5, 0.25, 3.0));
+    let step = |name: &str| {
+        let end = end_of(&scheme(name), &top, h, 1);
+        (matrix(&end), end.angular_momentum)
+    };
+    // A dozen roundings of numbers of size three, and those of the last iterate.
+    let close = |name: &str, (r, l): (Matrix3<f64>, Vector3<f64>), found: (Matrix3<f64>, Vector3<f64>)| {
+        let error = (r - found.0).amax().max((l - found.1).amax());
+        assert!(error < 1e-14, "{name}: {error:e}");
+    };
+    let turned = |r: &Matrix3<f64>| r * inertia * r.transpose();
+    let w0 = inverse * l0;
+    let t0 = top_torque(&r0);
+
+    let (r, l) = step("simo-wong");
+    let w1 = inverse * r.transpose() * l;
+    let expected = (r0 * exponential(&((w0 + w1) * (h / 2.0))), l0 + (t0 + top_torque(&r)) * (h / 2.0));
+    close("simo-wong", expected, (r, l));
+
+    let (r, l) = step("implicit-midpoint");
+    let middle = (l0 + r.transpose() * l) / 2.0;
+    let w = inverse * middle;
+    let angle = 2.0 * (h * w.norm() / 2.0).atan();
+    let halfway = exponential(&(w / w.norm() * (angle / 2.0)));
+    let m1 = l0 + (middle.cross(&w) + halfway.transpose() * top_torque(&halfway)) * h;
+    close("implicit-midpoint", (cayley(&(w * h)), r * m1), (r, l));
+
+    let (r, l) = step("lie-verlet");
+    // tan(θ/2) = h |ω| / 2 along the axis of R₁.
+    let vector = rotation::vector_of(&Rotation::from_matrix(&r));
+    let w = vector / vector.norm() * (2.0 / h * (vector.norm() / 2.0).tan());
+    let own = inertia * w;
+    let early = own + w.cross(&own) * (h / 2.0) + w * (w.dot(&own) * h * h / 4.0);
+    let late = own - w.cross(&own) * (h / 2.0) + w * (w.dot(&own) * h * h / 4.0);
+    assert!((early - (l0 + t0 * (h / 2.0))).amax() < 1e-13, "lie-verlet: {early:?}");
+    assert!((r * late + top_torque(&r) * (h / 2.0) - l).amax() < 1e-13, "lie-verlet: {l:?}");
+
+    for (name, spin) in [
+        ("semi-implicit-euler-no-gyro", w0 + inverse * t0 * h),
+        ("semi-implicit-euler-explicit-gyro", w0 + inverse * (t0 - w0.cross(&l0)) * h),
+    ] {
+        // The linear quaternion update over its length turns by 2 atan(h |ω| / 2): it is Cayley's map.
+        let r = cayley(&(spin * h));
+        close(name, (r, turned(&r) * spin), step(name));
+    }
+}
+
+#[test]
+fn one_step_of_every_scheme_errs_by_the_order_above_its_own() {
+    let top = scene("heavy-asymmetric-top");
+    for (name, order) in SCHEMES {
+        let error = |h: f64| {
+            let exact = dop853::solve(&top.system, &[h], dop853::TOLERANCE).expect("a solution").states[0];
+            let end = end_of(&scheme(name), &top, h, 1);
+            (matrix(&end) - matrix(&exact)).amax().max((end.angular_momentum - exact.angular_momentum).amax())
+        };
+        let h = if order == 6 { 0.25 } else { 0.0625 };
+        let slope = (error(h) / error(h / 2.0)).log2();
+        assert!((slope - f64::from(order + 1)).abs() < 0.3, "{name}: {slope}");
+    }
+}
+
+#[test]
+fn l_changes_without_torque_exactly_where_a_scheme_does_not_claim_it() {
+    let free = scene("free-asymmetric");
+    for contestant in Contestant::all() {
+        let claims =
+            contestant.card.claims.iter().any(|c| {
+                matches!(c, Claim::Exact(Quantity::AngularMomentum, polhode::claim::When::NoTorque))
+            });
+        let model = free.system.least();
+        let trajectory = contestant.run(&model, &Plan::over(1.0, 64, 64));
+        let start = trajectory.states[0].angular_momentum;
+        let end = trajectory.states[trajectory.states.len() - 1].angular_momentum;
+        assert_eq!((end - start).norm() < 1e-12 * start.norm(), claims, "{}", contestant.card.name);
+    }
+}
+
+#[test]
+fn symmetric_schemes_come_back_when_time_runs_backwards() {
+    const SYMMETRIC: [&str; 7] = [
+        "implicit-midpoint",
+        "krysl-liemid",
+        "krysl-liemid-ea",
+        "simo-wong",
+        "lie-verlet",
+        "gauss-legendre-4",
+        "gauss-legendre-6",
+    ];
+    let top = scene("heavy-asymmetric-top");
+    let (h, steps) = (0.0625, 128);
+    for (name, _) in SCHEMES {
+        let there = end_of(&scheme(name), &top, h * steps as f64, steps);
+        let mut system = top.system.clone();
+        system.start.orientation = there.orientation;
+        system.start.angular_momentum = there.angular_momentum;
+        system.start.position = there.position;
+        let back = scheme(name).run(&system.least(), &Plan { step: -h, steps, every: steps });
+        let last = back.states[back.states.len() - 1];
+        let missed = rotation::angle_between(&last.orientation, &top.system.start.orientation);
+        // 256 steps of rounding, grown by the motion, against h⁵ and more.
+        assert_eq!(missed < 1e-11, SYMMETRIC.contains(&name), "{name}: {missed:e}");
+    }
+}
+
+#[test]
+fn gauss_and_legendre_with_three_stages_are_of_sixth_order() {
+    // Steps coarse enough that 2⁻⁶ a halving stays above 1e-12, fine enough to be asymptotic.
+    for (name, duration, steps) in
+        [("heavy-asymmetric-top", 2.0, 8), ("kovalevskaya", 1.5, 6), ("tether-springs", 1.0, 8)]
+    {
+        let scene = scene(name);
+        let exact = truth(&scene, duration);
+        let errors = [steps, 2 * steps, 4 * steps].map(|steps| {
+            let end = end_of(&scheme("gauss-legendre-6"), &scene, duration, steps);
+            rotation::angle_between(&end.orientation, &exact.orientation)
+        });
+        let slopes = [(errors[0] / errors[1]).log2(), (errors[1] / errors[2]).log2()];
+        assert!(errors[2] > 1e-13 && (slopes[1] - 6.0).abs() < 0.3, "{name}: {errors:?} {slopes:?}");
+    }
+}
