@@ -11,9 +11,9 @@ use nalgebra::Vector3;
 
 use crate::interrupt;
 use crate::model::body::Shape;
-use crate::model::{AnyModel, Broken, Model, Rotational, Snapshot, System, Turning};
+use crate::model::{AnyModel, Broken, Model, Pointwise, Rotational, Snapshot, System, Turning};
 use crate::rotation::Rotation;
-use crate::schemes::{self, Card, Scheme, TurningScheme, Visitor, Workspace};
+use crate::schemes::{self, Card, PointScheme, Scheme, TurningScheme, Visitor, Workspace};
 
 /// Steps between two checks that the state is finite.
 const CHECKED_EVERY: u64 = 1024;
@@ -61,6 +61,14 @@ pub struct Outcome {
     pub broken: Option<Break>,
 }
 
+impl Outcome {
+    /// Of a run that cannot start.
+    fn none(why: Broken) -> Outcome {
+        let broken = Some(Break { step: 0, time: 0.0, why });
+        Outcome { steps: 0, evaluations: 0, nanoseconds: 0, broken }
+    }
+}
+
 /// A run with its stored states.
 #[derive(Clone, Debug)]
 pub struct Trajectory {
@@ -83,6 +91,7 @@ pub struct Contestant {
 #[derive(Clone, Copy, Debug)]
 struct Limits {
     points: bool,
+    reduced: bool,
     velocity_forces: bool,
     rods: bool,
 }
@@ -90,14 +99,32 @@ struct Limits {
 impl Contestant {
     /// A scheme of any crate.
     pub fn new<S: Scheme>() -> Contestant {
-        let limits = Limits { points: true, velocity_forces: true, rods: true };
+        let limits = Limits { points: true, reduced: true, velocity_forces: true, rods: true };
         Contestant { card: S::CARD, run: run_any::<S>, limits }
     }
 
     /// A scheme in body axes, of any crate.
     pub fn turning<S: TurningScheme>() -> Contestant {
-        let limits = Limits { points: false, velocity_forces: S::TAKES_VELOCITY_FORCES, rods: S::TAKES_RODS };
+        let limits = Limits {
+            points: false,
+            reduced: true,
+            velocity_forces: S::TAKES_VELOCITY_FORCES,
+            rods: S::TAKES_RODS,
+        };
         Contestant { card: S::CARD, run: run_turning::<S>, limits }
+    }
+
+    /// A scheme for the mass points alone, of any crate.
+    pub fn points<S: PointScheme>() -> Contestant {
+        let limits = Limits { points: true, reduced: false, velocity_forces: true, rods: true };
+        Contestant { card: S::CARD, run: run_points::<S>, limits }
+    }
+
+    /// The least model of a system that the scheme runs on. Where it needs mass points and the body has none, runs
+    /// break and [`Contestant::refusal`] says why.
+    pub fn model(&self, system: &System) -> AnyModel {
+        let points = if self.limits.reduced { None } else { system.points().ok() };
+        points.unwrap_or_else(|| system.least())
     }
 
     /// Why the scheme cannot take a scene, if it cannot.
@@ -111,6 +138,9 @@ impl Contestant {
             return Some(
                 "a moment of inertia is zero (a rod or a single point), and the scheme divides by it",
             );
+        }
+        if !self.limits.reduced && system.body.points.is_empty() {
+            return Some("the scheme runs on mass points, and no positive masses have this body's inertia");
         }
         None
     }
@@ -130,6 +160,9 @@ impl Contestant {
             }
             fn visit_turning<S: TurningScheme>(&self) -> Contestant {
                 Contestant::turning::<S>()
+            }
+            fn visit_points<S: PointScheme>(&self) -> Contestant {
+                Contestant::points::<S>()
             }
         }
         schemes::visit_all(&Collect)
@@ -164,12 +197,14 @@ fn run_turning<S: TurningScheme>(model: &AnyModel, plan: &Plan, store: &mut dyn 
         AnyModel::Falling(model) => run::<InBodyAxes<S>, _>(model, plan, store),
         AnyModel::Torque(model) | AnyModel::Pivot(model) => run::<InBodyAxes<S>, _>(model, plan, store),
         AnyModel::Forced(model) => run::<InBodyAxes<S>, _>(model, plan, store),
-        AnyModel::Points(_) => Outcome {
-            steps: 0,
-            evaluations: 0,
-            nanoseconds: 0,
-            broken: Some(Break { step: 0, time: 0.0, why: Broken::NeedsAttitude }),
-        },
+        AnyModel::Points(_) => Outcome::none(Broken::NeedsAttitude),
+    }
+}
+
+fn run_points<S: PointScheme>(model: &AnyModel, plan: &Plan, store: &mut dyn FnMut(&Snapshot)) -> Outcome {
+    match model {
+        AnyModel::Points(model) => run::<OnPoints<S>, _>(model, plan, store),
+        _ => Outcome::none(Broken::NeedsPoints),
     }
 }
 
@@ -209,6 +244,24 @@ impl<S: Scheme, M: Model> Step<M> for OnAnyModel<S> {
 struct InBodyAxes<S>(PhantomData<S>);
 
 impl<S: TurningScheme, M: Turning> Step<M> for InBodyAxes<S> {
+    const STATES: usize = S::STATES;
+
+    fn step(
+        model: &M,
+        t: f64,
+        h: f64,
+        from: &M::State,
+        to: &mut M::State,
+        work: &mut Workspace<M>,
+    ) -> Result<(), Broken> {
+        S::step(model, t, h, from, to, work)
+    }
+}
+
+/// A scheme for the mass points alone.
+struct OnPoints<S>(PhantomData<S>);
+
+impl<S: PointScheme, M: Pointwise> Step<M> for OnPoints<S> {
     const STATES: usize = S::STATES;
 
     fn step(
@@ -293,6 +346,24 @@ impl<M: Turning> Turning for Counted<'_, M> {
     }
 }
 
+impl<M: Pointwise> Pointwise for Counted<'_, M> {
+    fn advance_straight(
+        &self,
+        from: &M::State,
+        s: f64,
+        rates: &M::Rates,
+        at: &M::State,
+        into: &mut M::State,
+    ) {
+        self.model.advance_straight(from, s, rates, at, into);
+    }
+
+    fn rates_on_levers(&self, t: f64, state: &M::State, levers: &M::State) -> Result<M::Rates, Broken> {
+        self.evaluations.set(self.evaluations.get() + 1);
+        self.model.rates_on_levers(t, state, levers)
+    }
+}
+
 /// The buffers of a run, made once.
 struct Stepper<'a, S, M: Model> {
     model: Counted<'a, M>,
@@ -300,8 +371,8 @@ struct Stepper<'a, S, M: Model> {
     now: M::State,
     next: M::State,
     checked: M::State,
-    checked_history: Vec<M::Rates>,
     work: Workspace<Counted<'a, M>>,
+    checked_work: Workspace<Counted<'a, M>>,
     scheme: PhantomData<S>,
 }
 
@@ -321,13 +392,13 @@ impl<'a, S: Step<Counted<'a, M>>, M: Model> Stepper<'a, S, M> {
     /// first that was not.
     fn advance_checked(&mut self, from: u64, to: u64) -> Result<(), (u64, Broken)> {
         self.checked.clone_from(&self.now);
-        self.checked_history.clone_from(&self.work.history);
+        self.checked_work.copy_from(&self.work);
         let result = self.advance(from, to);
         if result.is_ok() && self.model.is_finite(&self.now) {
             return Ok(());
         }
         self.now.clone_from(&self.checked);
-        self.work.history.clone_from(&self.checked_history);
+        self.work.copy_from(&self.checked_work);
         for n in from..to {
             self.advance(n, n + 1)?;
             if !self.model.is_finite(&self.now) {
@@ -344,13 +415,14 @@ fn run<'a, S: Step<Counted<'a, M>>, M: Model>(
     store: &mut dyn FnMut(&Snapshot),
 ) -> Outcome {
     let start = model.start();
+    let work = Workspace::new(&start, S::STATES);
     let mut stepper = Stepper::<S, M> {
         model: Counted { model, evaluations: Cell::new(0) },
         step: plan.step,
         next: start.clone(),
         checked: start.clone(),
-        checked_history: Vec::new(),
-        work: Workspace { states: vec![start.clone(); S::STATES], history: Vec::new() },
+        checked_work: Workspace::new(&start, S::STATES),
+        work,
         now: start,
         scheme: PhantomData,
     };

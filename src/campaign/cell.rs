@@ -112,6 +112,6 @@ fn against_time(
 ) -> Vec<Series> {
     let Some(rung) = evidence.rungs.get(SERIES_RUNG) else { return Vec::new() };
     let plan = Plan::over(scene.duration, rung.steps, SERIES_SAMPLES.min(rung.steps));
-    let run = contestant.run(&scene.system.least(), &plan);
+    let run = contestant.run(&contestant.model(&scene.system), &plan);
     rows::series(names, &scene.system, plan.step, &run.states)
 }

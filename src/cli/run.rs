@@ -68,7 +68,7 @@ pub(super) fn run(options: &Options) -> Result<u8, Failure> {
     let scene = Scene::find(&options.scene)?;
     let plan = plan(options, scene.duration)?;
     let model = match options.model {
-        ModelChoice::Least => scene.system.least(),
+        ModelChoice::Least => contestant.model(&scene.system),
         ModelChoice::Points => {
             scene.system.points().map_err(|error| Failure::Model(format!("{}: {error}", scene.name)))?
         }

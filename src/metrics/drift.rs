@@ -127,7 +127,7 @@ pub fn energy_drift(contestant: &Contestant, system: &System, duration: f64) -> 
 
 fn run_rung(contestant: &Contestant, rotor: &System, long: f64, steps: u64) -> Option<EnergyRung> {
     let plan = Plan::over(long, steps, SAMPLES);
-    let run = contestant.run(&rotor.least(), &plan);
+    let run = contestant.run(&contestant.model(rotor), &plan);
     if run.outcome.broken.is_some() {
         return None;
     }

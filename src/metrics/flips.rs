@@ -102,7 +102,7 @@ pub fn flips(
     truth: Vec<f64>,
 ) -> Option<Flips> {
     let axis = tumbling_axis(system)?;
-    let model = system.least();
+    let model = contestant.model(system);
     let rungs = TURNS.map(|turn| {
         let steps = (duration * fastest / turn).ceil() as u64;
         let plan = Plan { step: duration / steps as f64, steps, every: 1 };

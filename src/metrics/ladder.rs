@@ -119,7 +119,7 @@ pub struct Evidence {
 /// Runs a ladder. `order` is the claimed one: the ladder grows finer until every quantity's order is settled, at
 /// its floor, or out of reach.
 pub fn climb(contestant: &Contestant, system: &System, reference: &Reference, order: u32) -> Evidence {
-    let model = system.least();
+    let model = contestant.model(system);
     let samples = reference.times.len() as u64 - 1;
     let duration = reference.times[reference.times.len() - 1];
     let turned =
@@ -238,11 +238,11 @@ fn rounding_growth(
     steps: u64,
 ) -> [Reading; 6] {
     let plan = plan(reference, steps);
-    let undisturbed = contestant.run(&system.least(), &plan);
+    let undisturbed = contestant.run(&contestant.model(system), &plan);
     let mut growth = [Reading { end: 0.0, max: 0.0 }; 6];
     for direction in 0..DIRECTIONS {
         let displaced = displaced(system, reference, direction);
-        let moved = contestant.run(&displaced.least(), &plan);
+        let moved = contestant.run(&contestant.model(&displaced), &plan);
         for (reading, by) in growth.iter_mut().zip(apart(system, &moved.states, &undisturbed.states)) {
             reading.end = reading.end.max(by.end / DISPLACEMENT);
             reading.max = reading.max.max(by.max / DISPLACEMENT);

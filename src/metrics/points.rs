@@ -42,7 +42,7 @@ pub fn point_run(contestant: &Contestant, system: &System, duration: f64, fastes
     let step = steepest.min(duration / STEPS as f64);
     let plan = Plan { step, steps: STEPS, every: 50 };
     let written = contestant.run(&points, &plan);
-    let least = contestant.run(&system.least(), &plan);
+    let least = contestant.run(&contestant.model(system), &plan);
     let scales = scales(system, &least.states);
     let mut largest: f64 = 0.0;
     let (mut stretch, mut change): (f64, f64) = (0.0, 0.0);

@@ -4,7 +4,7 @@
 use nalgebra::Vector3;
 
 use super::system::{Rotational, Start};
-use super::{Broken, Model, Snapshot};
+use super::{Broken, Model, Motion, Rates, Snapshot};
 use crate::rotation::{self, Rotation};
 
 /// Orientation alone.
@@ -12,6 +12,16 @@ use crate::rotation::{self, Rotation};
 pub struct Free {
     pub(super) rotational: Rotational,
     pub(super) start: Start,
+}
+
+impl Rates for Vector3<f64> {
+    fn motion(self) -> Motion {
+        Motion { spin: self, ..Motion::default() }
+    }
+
+    fn of(motion: Motion) -> Vector3<f64> {
+        motion.spin
+    }
 }
 
 impl Model for Free {
