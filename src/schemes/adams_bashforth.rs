@@ -38,22 +38,7 @@ pub(super) fn start<M: Turning, const N: usize>(
     Ok(true)
 }
 
-/// Fills an empty history with the first rates.
-pub(super) fn fill<M: Turning, const N: usize>(
-    model: &M,
-    t: f64,
-    from: &M::State,
-    work: &mut Workspace<M>,
-) -> Result<(), Broken> {
-    if work.history.is_empty() {
-        let k0 = model.rates(t, from)?;
-        work.history.resize(N - 1, k0);
-        work.states[PeskinRk4::STATES..].fill(from.clone());
-    }
-    Ok(())
-}
-
-/// A step with a full history; `weights` from the latest rates to the earliest.
+/// A step; `weights` from the latest rates to the earliest. An empty history is filled with the rates of now.
 pub(super) fn step<M: Turning, const N: usize>(
     weights: &[f64; N],
     model: &M,
@@ -64,6 +49,10 @@ pub(super) fn step<M: Turning, const N: usize>(
     work: &mut Workspace<M>,
 ) -> Result<(), Broken> {
     let (k0, past) = (model.rates(t, from)?, &mut work.states[PeskinRk4::STATES..]);
+    if work.history.is_empty() {
+        work.history.resize(N - 1, k0);
+        past.fill(from.clone());
+    }
     let mut rates = k0 * weights[0];
     let mut change = derivative(model, from, &k0) * weights[0];
     for (weight, (k, state)) in weights[1..].iter().zip(work.history.iter().zip(past.iter()).rev()) {

@@ -29,7 +29,6 @@ impl TurningScheme for AdamsBashforth4 {
             Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
             Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
             Claim::VerticalMomentum,
-            Claim::FlipTimes,
         ],
     };
     const STATES: usize = adams_bashforth::states(4);

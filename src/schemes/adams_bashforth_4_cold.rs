@@ -46,7 +46,6 @@ impl TurningScheme for AdamsBashforth4Cold {
         to: &mut M::State,
         work: &mut Workspace<M>,
     ) -> Result<(), Broken> {
-        adams_bashforth::fill::<M, 4>(model, t, from, work)?; // (0)
-        adams_bashforth::step(&WEIGHTS, model, t, h, from, to, work) // (1), (2)
+        adams_bashforth::step(&WEIGHTS, model, t, h, from, to, work) // (0)–(2)
     }
 }

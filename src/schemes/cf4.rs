@@ -35,7 +35,6 @@ impl TurningScheme for Cf4 {
             Claim::Exact(Quantity::Orientation, When::SteadySpin),
             Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
             Claim::VerticalMomentum,
-            Claim::FlipTimes,
             Claim::Evaluations(4),
         ],
     };

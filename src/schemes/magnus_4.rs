@@ -35,7 +35,6 @@ impl Scheme for Magnus4 {
             Claim::Exact(Quantity::Orientation, When::SteadySpin),
             Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
             Claim::VerticalMomentum,
-            Claim::FlipTimes,
             Claim::Rigid,
             Claim::Evaluations(7),
         ],

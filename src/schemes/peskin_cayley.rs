@@ -12,7 +12,7 @@
 use nalgebra::Vector3;
 
 use super::{Card, Scheme, Workspace};
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
+use crate::claim::{Claim, Quantity, When};
 use crate::model::{Broken, Model, Motion, Rates};
 use crate::rotation;
 
@@ -32,9 +32,7 @@ impl Scheme for PeskinCayley {
             Claim::Exact(Quantity::Position, When::ConstantForce),
             Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
             Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::Energy(EnergyOfFreeBody::GrowsSecularly { rate_order: 3 }),
             Claim::VerticalMomentum,
-            Claim::FlipTimes,
             Claim::Rigid,
             Claim::Evaluations(2),
         ],

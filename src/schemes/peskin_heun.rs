@@ -7,7 +7,7 @@
 //! at the same cost, with error constants of its own.
 
 use super::{Card, Scheme, Workspace};
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
+use crate::claim::{Claim, Quantity, When};
 use crate::model::{Broken, Model};
 
 /// Heun's corrector.
@@ -27,9 +27,7 @@ impl Scheme for PeskinHeun {
             Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
             Claim::Exact(Quantity::Orientation, When::SteadySpin),
             Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::Energy(EnergyOfFreeBody::GrowsSecularly { rate_order: 3 }),
             Claim::VerticalMomentum,
-            Claim::FlipTimes,
             Claim::Rigid,
             Claim::Evaluations(2),
         ],

@@ -7,7 +7,7 @@
 //! ingredients of peskin2021 in place of sums. What is least for vectors need not be least for rotations.
 
 use super::{Card, Scheme, Workspace};
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
+use crate::claim::{Claim, Quantity, When};
 use crate::model::{Broken, Model};
 
 /// Ralston's second-order weights.
@@ -27,9 +27,7 @@ impl Scheme for PeskinRalston {
             Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
             Claim::Exact(Quantity::Orientation, When::SteadySpin),
             Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::Energy(EnergyOfFreeBody::GrowsSecularly { rate_order: 3 }),
             Claim::VerticalMomentum,
-            Claim::FlipTimes,
             Claim::Rigid,
             Claim::Evaluations(2),
         ],

@@ -10,7 +10,7 @@
 //! Source: celledoni2003, third order with the abscissas 0, 1/3, 2/3; peskin2021.
 
 use super::{Card, Scheme, Workspace};
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
+use crate::claim::{Claim, Quantity, When};
 use crate::model::{Broken, Model};
 
 /// Third order, three evaluations and three rotations a step.
@@ -30,7 +30,6 @@ impl Scheme for PeskinRk3 {
             Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
             Claim::Exact(Quantity::Orientation, When::SteadySpin),
             Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::Energy(EnergyOfFreeBody::GrowsSecularly { rate_order: 3 }),
             Claim::VerticalMomentum,
             Claim::FlipTimes,
             Claim::Rigid,

@@ -33,7 +33,6 @@ impl Scheme for PeskinRk4 {
             Claim::Exact(Quantity::Orientation, When::SteadySpin),
             Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
             Claim::VerticalMomentum,
-            Claim::FlipTimes,
             Claim::Rigid,
             Claim::Evaluations(4),
         ],
