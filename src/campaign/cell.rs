@@ -71,8 +71,11 @@ pub(super) fn measure(
 
 /// A scheme that cannot take the scene: not applicable, with the reason, for every claim.
 fn refused(scene: &Scene, contestant: &Contestant, reason: &str) -> Cell {
-    let names =
-        rows::Names { scene: &scene.name, scheme: contestant.card.name, model: scene.system.least().name() };
+    let names = rows::Names {
+        scene: &scene.name,
+        scheme: contestant.card.name,
+        model: contestant.model(&scene.system),
+    };
     Cell {
         measurements: vec![rows::not_applicable(&names, reason)],
         orders: Vec::new(),

@@ -7,6 +7,10 @@ use crate::record::{Ruling, Verdict};
 const LARGEST: f64 = 1e-12;
 
 pub(super) fn judge(case: &Case) -> Vec<Verdict> {
+    if case.evidence.model == "points" {
+        let detail = "the scheme runs on the mass points alone";
+        return vec![super::ruled(case, "reduction", "all", Ruling::NotApplicable, detail)];
+    }
     let Some(points) = case.points else {
         let detail = "no point form: the body has none, or the scheme takes none";
         return vec![super::ruled(case, "reduction", "all", Ruling::NotApplicable, detail)];

@@ -136,7 +136,7 @@ pub fn climb(contestant: &Contestant, system: &System, reference: &Reference, or
     }
     let growth = rounding_growth(contestant, system, reference, first * 4);
     let mut evidence = Evidence {
-        model: system.least().name(),
+        model: contestant.model(system),
         rungs: Vec::new(),
         ladders: Vec::new(),
         giant_steps: Vec::new(),

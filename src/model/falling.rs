@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 use super::forced::Forced;
 use super::forces::Forces;
 use super::system::{Rotational, Start};
-use super::{Broken, Model, Snapshot, finite};
+use super::{Broken, Model, Motion, Rates, Snapshot, finite};
 use crate::rotation::{self, Rotation};
 
 /// Orientation and translation.
@@ -72,6 +72,18 @@ impl Mul<f64> for FallingRates {
             velocity: self.velocity * factor,
             acceleration: self.acceleration * factor,
         }
+    }
+}
+
+impl Rates for FallingRates {
+    fn motion(self) -> Motion {
+        let FallingRates { spin, velocity, acceleration } = self;
+        Motion { spin, velocity, acceleration, ..Motion::default() }
+    }
+
+    fn of(motion: Motion) -> FallingRates {
+        let Motion { spin, velocity, acceleration, .. } = motion;
+        FallingRates { spin, velocity, acceleration }
     }
 }
 

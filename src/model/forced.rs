@@ -6,7 +6,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::forces::{Forces, Pose};
 use super::system::{Rotational, Start};
-use super::{Broken, Model, Snapshot, finite};
+use super::{Broken, Model, Rates, Snapshot, finite};
 use crate::rotation::{self, Rotation};
 
 /// Orientation, translation and angular momentum.
@@ -29,7 +29,7 @@ pub struct ForcedState {
 }
 
 /// Ω, U_cm, F/M and τ, world.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Motion {
     /// Ω [rad/s].
     pub spin: Vector3<f64>,
@@ -64,6 +64,16 @@ impl Mul<f64> for Motion {
             acceleration: self.acceleration * factor,
             torque: self.torque * factor,
         }
+    }
+}
+
+impl Rates for Motion {
+    fn motion(self) -> Motion {
+        self
+    }
+
+    fn of(motion: Motion) -> Motion {
+        motion
     }
 }
 

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use super::forces::Forces;
 use super::rotor::Rotor;
 use super::system::{Rotational, Start};
-use super::{Broken, Model, Snapshot};
+use super::{Broken, Model, Motion, Rates, Snapshot};
 use crate::rotation::{self, Rotation};
 
 /// Orientation alone.
@@ -26,6 +26,16 @@ impl Free {
             pivot: None,
             center: Vector3::zeros(),
         }
+    }
+}
+
+impl Rates for Vector3<f64> {
+    fn motion(self) -> Motion {
+        Motion { spin: self, ..Motion::default() }
+    }
+
+    fn of(motion: Motion) -> Vector3<f64> {
+        motion.spin
     }
 }
 

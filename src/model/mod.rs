@@ -30,7 +30,7 @@ use nalgebra::Vector3;
 use crate::rotation::Rotation;
 
 pub use falling::Falling;
-pub use forced::Forced;
+pub use forced::{Forced, Motion};
 pub use free::Free;
 pub use placed::Placed;
 pub use point_cloud::PointCloud;
@@ -60,6 +60,9 @@ pub enum Broken {
     /// A scheme in body axes was given the mass points.
     #[error("the scheme lives in body axes and does not run on mass points")]
     NeedsAttitude,
+    /// A scheme for the mass points was given a reduced model.
+    #[error("the scheme runs on the mass points alone")]
+    NeedsPoints,
     /// An implicit equation was not solved.
     #[error("no convergence after {iterations} iterations: residual {residual:e} > {tolerance:e}")]
     NoConvergence {
@@ -79,9 +82,13 @@ pub enum Broken {
 }
 
 /// How the parts of a state change: a vector space, so that stages combine.
-pub trait Rates: Copy + Add<Output = Self> + Mul<f64, Output = Self> {}
+pub trait Rates: Copy + Add<Output = Self> + Mul<f64, Output = Self> {
+    /// The parts one by one, for schemes that combine them in ways of their own; zero where the model keeps none.
+    fn motion(self) -> Motion;
 
-impl<T: Copy + Add<Output = T> + Mul<f64, Output = T>> Rates for T {}
+    /// Rates of these parts, as far as the model keeps them.
+    fn of(motion: Motion) -> Self;
+}
 
 /// A body under forces, as a scheme sees it.
 pub trait Model {
@@ -147,6 +154,30 @@ pub trait Turning: Model {
 
     /// Whether a force depends on a velocity, which a splitting into kicks and drifts cannot take.
     fn reads_velocity(&self) -> bool;
+}
+
+/// The mass points, as schemes see them that ask more of them than to be turned.
+pub trait Pointwise: Model {
+    /// `advance` without a rotation: every point of `from` goes straight, by s Ω × X̃ with the X̃ that it has in `at`.
+    fn advance_straight(
+        &self,
+        from: &Self::State,
+        s: f64,
+        rates: &Self::Rates,
+        at: &Self::State,
+        into: &mut Self::State,
+    );
+
+    /// Rates whose forces are those of `state`, with torques about the lever arms of `levers`.
+    ///
+    /// # Errors
+    /// Ω does not exist.
+    fn rates_on_levers(
+        &self,
+        t: f64,
+        state: &Self::State,
+        levers: &Self::State,
+    ) -> Result<Self::Rates, Broken>;
 }
 
 fn finite(vectors: &[&Vector3<f64>]) -> bool {

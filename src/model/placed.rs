@@ -52,6 +52,7 @@ impl Placed {
     pub fn cloud(&self, origin: Vector3<f64>, velocity: Vector3<f64>, spin: Vector3<f64>) -> Cloud<'_> {
         Cloud {
             arms: &self.arms,
+            levers: &self.arms,
             masses: &self.masses,
             origin,
             velocity,

@@ -9,7 +9,7 @@ use super::body::Shape;
 use super::forced::Motion;
 use super::forces::{Cloud, Forces, Load};
 use super::system::Start;
-use super::{Broken, Model, Snapshot, finite};
+use super::{Broken, Model, Pointwise, Snapshot, finite};
 use crate::rotation;
 
 /// Every mass point.
@@ -83,7 +83,13 @@ impl PointCloud {
         }
     }
 
-    fn cloud<'a>(&'a self, state: &'a PointState, spin: Vector3<f64>, inertia: Matrix3<f64>) -> Cloud<'a> {
+    fn cloud<'a>(
+        &'a self,
+        state: &'a PointState,
+        levers: &'a PointState,
+        spin: Vector3<f64>,
+        inertia: Matrix3<f64>,
+    ) -> Cloud<'a> {
         let axes = match state.arms[..] {
             [.., x, y, z] if self.has_axes => Matrix3::from_columns(&[x, y, z]),
             _ => Matrix3::identity(),
@@ -91,6 +97,7 @@ impl PointCloud {
         let center = if self.pivot.is_some() { self.center_arm(state) } else { Vector3::zeros() };
         Cloud {
             arms: &state.arms,
+            levers: &levers.arms,
             masses: &self.masses,
             origin: self.pivot.unwrap_or(state.position),
             velocity: if self.pivot.is_some() { Vector3::zeros() } else { state.velocity },
@@ -99,6 +106,15 @@ impl PointCloud {
             inertia,
             center,
             axes,
+        }
+    }
+
+    /// X_cm, U_cm and L of `advance`.
+    fn advance_sums(&self, from: &PointState, s: f64, rates: &Motion, into: &mut PointState) {
+        into.momentum = from.momentum + rates.torque * s;
+        if self.pivot.is_none() {
+            into.position = from.position + rates.velocity * s;
+            into.velocity = from.velocity + rates.acceleration * s;
         }
     }
 
@@ -141,19 +157,7 @@ impl Model for PointCloud {
     }
 
     fn rates(&self, t: f64, state: &PointState) -> Result<Motion, Broken> {
-        let inertia = self.inertia(&state.arms);
-        let spin = self.spin(state, &inertia)?;
-        let load = if self.forces.laws().is_empty() {
-            Load::default()
-        } else {
-            self.forces.load_on_points(t, &self.cloud(state, spin, inertia))
-        };
-        Ok(Motion {
-            spin,
-            velocity: state.velocity,
-            acceleration: load.force / self.mass,
-            torque: load.torque,
-        })
+        self.rates_on_levers(t, state, state)
     }
 
     fn advance(&self, from: &PointState, s: f64, rates: &Motion, into: &mut PointState) {
@@ -161,11 +165,7 @@ impl Model for PointCloud {
         for (after, before) in into.arms.iter_mut().zip(&from.arms) {
             *after = before + change * before;
         }
-        into.momentum = from.momentum + rates.torque * s;
-        if self.pivot.is_none() {
-            into.position = from.position + rates.velocity * s;
-            into.velocity = from.velocity + rates.acceleration * s;
-        }
+        self.advance_sums(from, s, rates, into);
     }
 
     fn is_finite(&self, state: &PointState) -> bool {
@@ -191,6 +191,39 @@ impl Model for PointCloud {
             angular_velocity: spin,
             angular_momentum: state.momentum,
             stretch: self.stretch(&state.arms),
+        })
+    }
+}
+
+impl Pointwise for PointCloud {
+    fn advance_straight(
+        &self,
+        from: &PointState,
+        s: f64,
+        rates: &Motion,
+        at: &PointState,
+        into: &mut PointState,
+    ) {
+        let turned = rates.spin * s;
+        for ((after, before), arm) in into.arms.iter_mut().zip(&from.arms).zip(&at.arms) {
+            *after = before + turned.cross(arm);
+        }
+        self.advance_sums(from, s, rates, into);
+    }
+
+    fn rates_on_levers(&self, t: f64, state: &PointState, levers: &PointState) -> Result<Motion, Broken> {
+        let inertia = self.inertia(&state.arms);
+        let spin = self.spin(state, &inertia)?;
+        let load = if self.forces.laws().is_empty() {
+            Load::default()
+        } else {
+            self.forces.load_on_points(t, &self.cloud(state, levers, spin, inertia))
+        };
+        Ok(Motion {
+            spin,
+            velocity: state.velocity,
+            acceleration: load.force / self.mass,
+            torque: load.torque,
         })
     }
 }

@@ -7,7 +7,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::forces::{Forces, Pose};
 use super::system::{Rotational, Start};
-use super::{Broken, Model, Snapshot, finite};
+use super::{Broken, Model, Motion, Rates, Snapshot, finite};
 use crate::rotation::{self, Rotation};
 
 /// Orientation and angular momentum.
@@ -49,6 +49,16 @@ impl Mul<f64> for RotorRates {
 
     fn mul(self, factor: f64) -> RotorRates {
         RotorRates { spin: self.spin * factor, torque: self.torque * factor }
+    }
+}
+
+impl Rates for RotorRates {
+    fn motion(self) -> Motion {
+        Motion { spin: self.spin, torque: self.torque, ..Motion::default() }
+    }
+
+    fn of(motion: Motion) -> RotorRates {
+        RotorRates { spin: motion.spin, torque: motion.torque }
     }
 }
 

@@ -11,7 +11,7 @@ mod semi_implicit;
 mod vector_form;
 
 use crate::claim::Claim;
-use crate::model::{Broken, Model, Turning};
+use crate::model::{Broken, Model, Pointwise, Turning};
 
 /// What a scheme says of itself.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,13 +43,37 @@ impl Card {
     }
 }
 
+/// Rates of earlier steps that are kept without a further allocation.
+const HISTORY: usize = 8;
+
 /// Buffers that a scheme works in, made once a run.
 #[derive(Clone, Debug)]
 pub struct Workspace<M: Model> {
-    /// States between those that a step goes from and to; their content does not outlive the step.
+    /// States between those that a step goes from and to, and earlier ones for multistep schemes.
     pub states: Vec<M::State>,
     /// Rates of earlier steps, for multistep schemes, the latest last; empty when a run starts.
     pub history: Vec<M::Rates>,
+}
+
+impl<M: Model> Workspace<M> {
+    /// Room for a scheme that declares so many states.
+    pub fn new(start: &M::State, states: usize) -> Workspace<M> {
+        Workspace { states: vec![start.clone(); states], history: Vec::with_capacity(HISTORY) }
+    }
+
+    /// Takes the content of another workspace of the same scheme.
+    pub fn copy_from(&mut self, other: &Workspace<M>) {
+        self.states.clone_from(&other.states);
+        self.history.clone_from(&other.history);
+    }
+
+    /// The first `N` states, by name in the caller.
+    ///
+    /// # Panics
+    /// The scheme declares fewer.
+    fn buffers<const N: usize>(&mut self) -> &mut [M::State; N] {
+        self.states.first_chunk_mut().expect("a scheme declares the states that it uses")
+    }
 }
 
 /// A time-stepping scheme for every model.
@@ -100,6 +124,27 @@ pub trait TurningScheme: 'static {
     ) -> Result<(), Broken>;
 }
 
+/// A scheme that asks more of the mass points than to be turned: for them alone.
+pub trait PointScheme: 'static {
+    /// What it says of itself.
+    const CARD: Card;
+    /// States that a step needs besides those that it goes from and to.
+    const STATES: usize;
+
+    /// One step from `t` to `t + h`: reads `from`, writes `to`.
+    ///
+    /// # Errors
+    /// The step cannot be made.
+    fn step<M: Pointwise>(
+        model: &M,
+        t: f64,
+        h: f64,
+        from: &M::State,
+        to: &mut M::State,
+        work: &mut Workspace<M>,
+    ) -> Result<(), Broken>;
+}
+
 /// Something to be done with a scheme whose type is known.
 pub trait Visitor {
     /// What comes of it.
@@ -108,6 +153,8 @@ pub trait Visitor {
     fn visit<S: Scheme>(&self) -> Self::Output;
     /// Does it with a scheme in body axes.
     fn visit_turning<S: TurningScheme>(&self) -> Self::Output;
+    /// Does it with a scheme for the mass points alone.
+    fn visit_points<S: PointScheme>(&self) -> Self::Output;
 }
 
 mod composed;
@@ -115,21 +162,46 @@ mod preprocessing;
 mod splitting;
 
 macro_rules! list {
-    (any: $($module:ident::$scheme:ident),* ; turning: $($turning_module:ident::$turning:ident),* ;) => {
+    (
+        any: $($module:ident::$scheme:ident),* ;
+        turning: $($turning_module:ident::$turning:ident),* ;
+        points: $($points_module:ident::$points:ident),* ;
+    ) => {
         $(mod $module; pub use $module::$scheme;)*
         $(mod $turning_module; pub use $turning_module::$turning;)*
+        $(mod $points_module; pub use $points_module::$points;)*
 
         /// Calls the visitor with every scheme, in the order of the list.
         pub fn visit_all<V: Visitor>(visitor: &V) -> Vec<V::Output> {
-            vec![$(visitor.visit::<$scheme>(),)* $(visitor.visit_turning::<$turning>(),)*]
+            vec![
+                $(visitor.visit::<$scheme>(),)*
+                $(visitor.visit_turning::<$turning>(),)*
+                $(visitor.visit_points::<$points>(),)*
+            ]
         }
     };
 }
 
+mod adams_bashforth;
+mod substepped;
+
+pub use substepped::Substepped;
+
 list! {
     any:
     peskin_rk2::PeskinRk2,
-    euler::Euler;
+    euler::Euler,
+    peskin_heun::PeskinHeun,
+    peskin_ralston::PeskinRalston,
+    peskin_trapezoid::PeskinTrapezoid,
+    peskin_cayley::PeskinCayley,
+    peskin_rk3::PeskinRk3,
+    peskin_rk4::PeskinRk4,
+    course_notes_euler::CourseNotesEuler,
+    substepped_4_euler::Substepped4Euler,
+    crouch_grossman_3::CrouchGrossman3,
+    rkmk4::Rkmk4,
+    magnus_4::Magnus4;
     turning:
     strang_rotations::StrangRotations,
     strang_symmetric::StrangSymmetric,
@@ -157,5 +229,15 @@ list! {
     buss_augmented::BussAugmented,
     lie_verlet::LieVerlet,
     gauss_legendre_4::GaussLegendre4,
-    gauss_legendre_6::GaussLegendre6;
+    gauss_legendre_6::GaussLegendre6,
+    cf4::Cf4,
+    adams_bashforth_2::AdamsBashforth2,
+    adams_bashforth_3::AdamsBashforth3,
+    adams_bashforth_4::AdamsBashforth4,
+    adams_bashforth_3_cold::AdamsBashforth3Cold,
+    adams_bashforth_4_cold::AdamsBashforth4Cold;
+    points:
+    euler_linear::EulerLinear,
+    rk2_linear::Rk2Linear,
+    course_code_euler::CourseCodeEuler;
 }

@@ -2,15 +2,15 @@
 
 use std::sync::Arc;
 
-use super::{Break, InBodyAxes, OnAnyModel, Outcome, Plan, Trajectory, run};
+use super::{InBodyAxes, OnAnyModel, OnPoints, Outcome, Plan, Trajectory, run};
 use crate::model::body::Shape;
 use crate::model::{AnyModel, Broken, Snapshot, System, SystemError};
-use crate::schemes::{self, Card, Scheme, TurningScheme, Visitor};
+use crate::schemes::{self, Card, PointScheme, Scheme, TurningScheme, Visitor};
 
 /// Which form of a scene is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// The least model that determines the motion.
+    /// The least model that determines the motion and that the scheme runs on.
     Least,
     /// Every mass point.
     Points,
@@ -44,6 +44,7 @@ pub struct Contestant {
 #[derive(Clone, Copy, Debug)]
 struct Limits {
     points: bool,
+    reduced: bool,
     velocity_forces: bool,
     rods: bool,
 }
@@ -51,14 +52,30 @@ struct Limits {
 impl Contestant {
     /// A scheme of any crate.
     pub fn new<S: Scheme>() -> Contestant {
-        let limits = Limits { points: true, velocity_forces: true, rods: true };
+        let limits = Limits { points: true, reduced: true, velocity_forces: true, rods: true };
         Contestant { card: S::CARD, run: Arc::new(run_on_any_model::<S>), limits }
     }
 
     /// A scheme in body axes, of any crate.
     pub fn turning<S: TurningScheme>() -> Contestant {
-        let limits = Limits { points: false, velocity_forces: S::TAKES_VELOCITY_FORCES, rods: S::TAKES_RODS };
+        let limits = Limits {
+            points: false,
+            reduced: true,
+            velocity_forces: S::TAKES_VELOCITY_FORCES,
+            rods: S::TAKES_RODS,
+        };
         Contestant { card: S::CARD, run: Arc::new(run_in_body_axes::<S>), limits }
+    }
+
+    /// A scheme for the mass points alone, of any crate.
+    pub fn points<S: PointScheme>() -> Contestant {
+        let limits = Limits { points: true, reduced: false, velocity_forces: true, rods: true };
+        Contestant { card: S::CARD, run: Arc::new(run_on_points::<S>), limits }
+    }
+
+    /// Name of the model that stands for a scene in its least form.
+    pub fn model(&self, system: &System) -> &'static str {
+        if self.limits.reduced { system.least().name() } else { "points" }
     }
 
     /// A program that brings a model of its own. `run` steps a scene in a form by a plan and hands over the first
@@ -67,7 +84,7 @@ impl Contestant {
         card: Card,
         run: impl Fn(&System, Form, &Plan, &mut dyn FnMut(&Snapshot)) -> Outcome + Send + Sync + 'static,
     ) -> Contestant {
-        let limits = Limits { points: true, velocity_forces: true, rods: true };
+        let limits = Limits { points: true, reduced: true, velocity_forces: true, rods: true };
         Contestant { card, run: Arc::new(run), limits }
     }
 
@@ -82,6 +99,9 @@ impl Contestant {
             return Some(
                 "a moment of inertia is zero (a rod or a single point), and the scheme divides by it",
             );
+        }
+        if !self.limits.reduced && system.body.points.is_empty() {
+            return Some("the scheme runs on mass points, and no positive masses have this body's inertia");
         }
         None
     }
@@ -101,6 +121,9 @@ impl Contestant {
             }
             fn visit_turning<S: TurningScheme>(&self) -> Contestant {
                 Contestant::turning::<S>()
+            }
+            fn visit_points<S: PointScheme>(&self) -> Contestant {
+                Contestant::points::<S>()
             }
         }
         schemes::visit_all(&Collect)
@@ -125,12 +148,6 @@ impl Contestant {
     }
 }
 
-/// A run that never began.
-fn never(why: Broken) -> Outcome {
-    let broken = Some(Break { step: 0, time: 0.0, why });
-    Outcome { steps: 0, evaluations: 0, nanoseconds: 0, broken }
-}
-
 fn run_on_any_model<S: Scheme>(
     system: &System,
     form: Form,
@@ -143,7 +160,7 @@ fn run_on_any_model<S: Scheme>(
         Ok(AnyModel::Torque(model) | AnyModel::Pivot(model)) => run::<OnAnyModel<S>, _>(&model, plan, store),
         Ok(AnyModel::Forced(model)) => run::<OnAnyModel<S>, _>(&model, plan, store),
         Ok(AnyModel::Points(model)) => run::<OnAnyModel<S>, _>(&model, plan, store),
-        Err(_) => never(Broken::NoPointForm),
+        Err(_) => Outcome::none(Broken::NoPointForm),
     }
 }
 
@@ -164,7 +181,19 @@ fn run_in_body_axes<S: TurningScheme>(
         Ok(AnyModel::Falling(model)) => run::<InBodyAxes<S>, _>(&model, plan, store),
         Ok(AnyModel::Torque(model) | AnyModel::Pivot(model)) => run::<InBodyAxes<S>, _>(&model, plan, store),
         Ok(AnyModel::Forced(model)) => run::<InBodyAxes<S>, _>(&model, plan, store),
-        Ok(AnyModel::Points(_)) => never(Broken::NeedsAttitude),
-        Err(_) => never(Broken::NoPointForm),
+        Ok(AnyModel::Points(_)) => Outcome::none(Broken::NeedsAttitude),
+        Err(_) => Outcome::none(Broken::NoPointForm),
+    }
+}
+
+fn run_on_points<S: PointScheme>(
+    system: &System,
+    _form: Form,
+    plan: &Plan,
+    store: &mut dyn FnMut(&Snapshot),
+) -> Outcome {
+    match system.points() {
+        Ok(AnyModel::Points(model)) => run::<OnPoints<S>, _>(&model, plan, store),
+        _ => Outcome::none(Broken::NoPointForm),
     }
 }

@@ -12,9 +12,9 @@ use std::time::Instant;
 use nalgebra::Vector3;
 
 use crate::interrupt;
-use crate::model::{Broken, Model, Rotational, Snapshot, Turning};
+use crate::model::{Broken, Model, Pointwise, Rotational, Snapshot, Turning};
 use crate::rotation::Rotation;
-use crate::schemes::{Scheme, TurningScheme, Workspace};
+use crate::schemes::{PointScheme, Scheme, TurningScheme, Workspace};
 
 pub use contestant::{Contestant, Form};
 
@@ -64,6 +64,14 @@ pub struct Outcome {
     pub broken: Option<Break>,
 }
 
+impl Outcome {
+    /// Of a run that cannot start.
+    fn none(why: Broken) -> Outcome {
+        let broken = Some(Break { step: 0, time: 0.0, why });
+        Outcome { steps: 0, evaluations: 0, nanoseconds: 0, broken }
+    }
+}
+
 /// A run with its stored states.
 #[derive(Clone, Debug)]
 pub struct Trajectory {
@@ -109,6 +117,24 @@ impl<S: Scheme, M: Model> Step<M> for OnAnyModel<S> {
 struct InBodyAxes<S>(PhantomData<S>);
 
 impl<S: TurningScheme, M: Turning> Step<M> for InBodyAxes<S> {
+    const STATES: usize = S::STATES;
+
+    fn step(
+        model: &M,
+        t: f64,
+        h: f64,
+        from: &M::State,
+        to: &mut M::State,
+        work: &mut Workspace<M>,
+    ) -> Result<(), Broken> {
+        S::step(model, t, h, from, to, work)
+    }
+}
+
+/// A scheme for the mass points alone.
+struct OnPoints<S>(PhantomData<S>);
+
+impl<S: PointScheme, M: Pointwise> Step<M> for OnPoints<S> {
     const STATES: usize = S::STATES;
 
     fn step(
@@ -197,6 +223,24 @@ impl<M: Turning> Turning for Counted<'_, M> {
     }
 }
 
+impl<M: Pointwise> Pointwise for Counted<'_, M> {
+    fn advance_straight(
+        &self,
+        from: &M::State,
+        s: f64,
+        rates: &M::Rates,
+        at: &M::State,
+        into: &mut M::State,
+    ) {
+        self.model.advance_straight(from, s, rates, at, into);
+    }
+
+    fn rates_on_levers(&self, t: f64, state: &M::State, levers: &M::State) -> Result<M::Rates, Broken> {
+        self.evaluations.set(self.evaluations.get() + 1);
+        self.model.rates_on_levers(t, state, levers)
+    }
+}
+
 /// The buffers of a run, made once.
 struct Stepper<'a, S, M: Model> {
     model: Counted<'a, M>,
@@ -204,8 +248,8 @@ struct Stepper<'a, S, M: Model> {
     now: M::State,
     next: M::State,
     checked: M::State,
-    checked_history: Vec<M::Rates>,
     work: Workspace<Counted<'a, M>>,
+    checked_work: Workspace<Counted<'a, M>>,
     scheme: PhantomData<S>,
 }
 
@@ -225,13 +269,13 @@ impl<'a, S: Step<Counted<'a, M>>, M: Model> Stepper<'a, S, M> {
     /// first that was not.
     fn advance_checked(&mut self, from: u64, to: u64) -> Result<(), (u64, Broken)> {
         self.checked.clone_from(&self.now);
-        self.checked_history.clone_from(&self.work.history);
+        self.checked_work.copy_from(&self.work);
         let result = self.advance(from, to);
         if result.is_ok() && self.model.is_finite(&self.now) {
             return Ok(());
         }
         self.now.clone_from(&self.checked);
-        self.work.history.clone_from(&self.checked_history);
+        self.work.copy_from(&self.checked_work);
         for n in from..to {
             self.advance(n, n + 1)?;
             if !self.model.is_finite(&self.now) {
@@ -248,13 +292,14 @@ fn run<'a, S: Step<Counted<'a, M>>, M: Model>(
     store: &mut dyn FnMut(&Snapshot),
 ) -> Outcome {
     let start = model.start();
+    let work = Workspace::new(&start, S::STATES);
     let mut stepper = Stepper::<S, M> {
         model: Counted { model, evaluations: Cell::new(0) },
         step: plan.step,
         next: start.clone(),
         checked: start.clone(),
-        checked_history: Vec::new(),
-        work: Workspace { states: vec![start.clone(); S::STATES], history: Vec::new() },
+        checked_work: Workspace::new(&start, S::STATES),
+        work,
         now: start,
         scheme: PhantomData,
     };

@@ -29,8 +29,8 @@ impl Gravity {
         if cloud.masses.is_empty() {
             load.push(&cloud.center, &(self.acceleration * cloud.mass));
         }
-        for (mass, arm) in cloud.masses.iter().zip(cloud.arms) {
-            load.push(arm, &(self.acceleration * *mass));
+        for (mass, lever) in cloud.masses.iter().zip(cloud.levers) {
+            load.push(lever, &(self.acceleration * *mass));
         }
     }
 

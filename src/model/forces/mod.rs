@@ -158,6 +158,8 @@ impl Pose {
 pub struct Cloud<'a> {
     /// X̃ of every mass point, then of every marker [m], world.
     pub arms: &'a [Vector3<f64>],
+    /// Lever arms of their forces [m], world: X̃ again, but in schemes that keep a force while its point moves.
+    pub levers: &'a [Vector3<f64>],
     /// Masses of the mass points [kg].
     pub masses: &'a [f64],
     /// Position of the origin [m], world.
@@ -249,8 +251,12 @@ impl Forces {
             match law {
                 Law::Gravity(law) => law.add_on_points(cloud, &mut load),
                 Law::Spring(law) => {
-                    let arm = cloud.arms[law.arm_index(&mut marker)];
-                    load.push(&arm, &law.force(&(cloud.origin + arm), &cloud.velocity_at(&arm)));
+                    let index = law.arm_index(&mut marker);
+                    let arm = cloud.arms[index];
+                    load.push(
+                        &cloud.levers[index],
+                        &law.force(&(cloud.origin + arm), &cloud.velocity_at(&arm)),
+                    );
                 }
                 Law::Drag(law) => each_point(cloud, &mut load, |k, _, u| law.force(k, u)),
                 Law::CentralGravity(law) => {
@@ -339,7 +345,7 @@ fn each_point(
     force: impl Fn(usize, &Vector3<f64>, &Vector3<f64>) -> Vector3<f64>,
 ) {
     for (k, arm) in cloud.arms[..cloud.masses.len()].iter().enumerate() {
-        load.push(arm, &force(k, &(cloud.origin + arm), &cloud.velocity_at(arm)));
+        load.push(&cloud.levers[k], &force(k, &(cloud.origin + arm), &cloud.velocity_at(arm)));
     }
 }
 

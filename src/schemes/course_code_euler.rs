@@ -1,0 +1,58 @@
+//! Euler's method as course code has it: the old force on the new lever arm.
+//!
+//! (1)  F_k at t, from the old positions and velocities
+//! (2)  X̃_k(t+h) = R(Ω(t), h) X̃_k(t),  X_cm(t+h) = X_cm(t) + h U_cm(t)
+//! (3)  U_cm(t+h) = U_cm(t) + h/M Σ_k F_k,  L(t+h) = L(t) + h Σ_k X̃_k(t+h) × F_k
+//!
+//! The positions were overwritten before the torque was taken. First order all the same, so that no order test
+//! sees it: the error constant and the energy of a body on springs tell it from `course-notes-euler`. Torques
+//! without a force stay those of t. Runs on the mass points, where a force has its lever arm. The forces are
+//! wanted once a step; Ω(t), which moves the arms, counts as a second evaluation.
+//!
+//! Source: peskin2021 with (4) in this order.
+
+use super::{Card, PointScheme, Workspace};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
+use crate::model::{Broken, Motion, Pointwise, Rates};
+
+/// Euler's method with old forces on new lever arms.
+#[derive(Clone, Copy, Debug)]
+pub struct CourseCodeEuler;
+
+impl PointScheme for CourseCodeEuler {
+    const CARD: Card = Card {
+        name: "course-code-euler",
+        title: "Euler's method with old forces on new lever arms",
+        family: "order of forces",
+        source: "peskin2021",
+        claims: &[
+            Claim::Order(1),
+            Claim::Exact(Quantity::Velocity, When::ConstantForce),
+            Claim::Exact(Quantity::Position, When::NoForce),
+            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+            Claim::Exact(Quantity::Orientation, When::SteadySpin),
+            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+            Claim::Energy(EnergyOfFreeBody::GrowsSecularly { rate_order: 1 }),
+            Claim::VerticalMomentum,
+            Claim::Rigid,
+            Claim::Evaluations(2),
+        ],
+    };
+    const STATES: usize = 1;
+
+    fn step<M: Pointwise>(
+        model: &M,
+        t: f64,
+        h: f64,
+        from: &M::State,
+        to: &mut M::State,
+        work: &mut Workspace<M>,
+    ) -> Result<(), Broken> {
+        let [moved] = work.buffers();
+        let old = model.rates(t, from)?; // (1)
+        model.advance(from, h, &old, moved); // (2)
+        let Motion { torque, .. } = model.rates_on_levers(t, from, moved)?.motion();
+        model.advance(from, h, &M::Rates::of(Motion { torque, ..old.motion() }), to); // (3)
+        Ok(())
+    }
+}

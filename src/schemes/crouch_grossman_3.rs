@@ -1,0 +1,61 @@
+//! Crouch and Grossman's method of third order: every stage is a product of exact rotations, one a rate.
+//!
+//! (1)  s2 = advance(s0, ¾ h, k1),  k1 = rates(t, s0)
+//! (2)  s3 = advance(advance(s0, 119/216 h, k1), 17/108 h, k2),  k2 = rates(t + ¾ h, s2)
+//! (3)  s1 = advance(advance(advance(s0, 13/51 h, k1), −⅔ h, k2), 24/17 h, k3),  k3 = rates(t + 17/24 h, s3)
+//!
+//! In the world frame a later factor stands to the left, so the first rate turns the body first; in the other
+//! order the method is of second order only.
+//!
+//! Source: crouch1993, with the coefficients printed in hairer2006, section IV.8.
+
+use super::{Card, Scheme, Workspace};
+use crate::claim::{Claim, Quantity, When};
+use crate::model::{Broken, Model};
+
+/// Third order, three evaluations and six rotations a step.
+#[derive(Clone, Copy, Debug)]
+pub struct CrouchGrossman3;
+
+impl Scheme for CrouchGrossman3 {
+    const CARD: Card = Card {
+        name: "crouch-grossman-3",
+        title: "Crouch and Grossman's method of third order",
+        family: "Lie group",
+        source: "crouch1993; hairer2006",
+        claims: &[
+            Claim::Order(3),
+            Claim::Exact(Quantity::Velocity, When::ConstantForce),
+            Claim::Exact(Quantity::Position, When::ConstantForce),
+            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+            Claim::Exact(Quantity::Orientation, When::SteadySpin),
+            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+            Claim::VerticalMomentum,
+            Claim::FlipTimes,
+            Claim::Rigid,
+            Claim::Evaluations(3),
+        ],
+    };
+    const STATES: usize = 2;
+
+    fn step<M: Model>(
+        model: &M,
+        t: f64,
+        h: f64,
+        from: &M::State,
+        to: &mut M::State,
+        work: &mut Workspace<M>,
+    ) -> Result<(), Broken> {
+        let [first, second] = work.buffers();
+        let k1 = model.rates(t, from)?;
+        model.advance(from, 3.0 / 4.0 * h, &k1, second); // (1)
+        let k2 = model.rates(t + 3.0 / 4.0 * h, second)?;
+        model.advance(from, 119.0 / 216.0 * h, &k1, first);
+        model.advance(first, 17.0 / 108.0 * h, &k2, second); // (2)
+        let k3 = model.rates(t + 17.0 / 24.0 * h, second)?;
+        model.advance(from, 13.0 / 51.0 * h, &k1, first);
+        model.advance(first, -2.0 / 3.0 * h, &k2, second);
+        model.advance(second, 24.0 / 17.0 * h, &k3, to); // (3)
+        Ok(())
+    }
+}

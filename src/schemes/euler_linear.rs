@@ -1,0 +1,45 @@
+//! Euler's method without rotations: every mass point goes straight along its velocity, and the body is not rigid.
+//!
+//! (1)  X̃_k(t+h) = X̃_k(t) + h Ω(t) × X̃_k(t)
+//! (2)–(4)  X_cm, U_cm and L as in the note's first stage, taken over h
+//!
+//! Source: peskin2021 with (1) linear. First order; the body swells by |Ω|² h/2 of its size a second.
+
+use super::{Card, PointScheme, Workspace};
+use crate::claim::{Claim, Quantity, When};
+use crate::model::{Broken, Pointwise};
+
+/// Euler's method on the points as free vectors.
+#[derive(Clone, Copy, Debug)]
+pub struct EulerLinear;
+
+impl PointScheme for EulerLinear {
+    const CARD: Card = Card {
+        name: "euler-linear",
+        title: "Euler's method without rotations",
+        family: "the note, varied",
+        source: "peskin2021",
+        claims: &[
+            Claim::Order(1),
+            Claim::Exact(Quantity::Velocity, When::ConstantForce),
+            Claim::Exact(Quantity::Position, When::NoForce),
+            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+            Claim::VerticalMomentum,
+            Claim::Evaluations(1),
+        ],
+    };
+    const STATES: usize = 0;
+
+    fn step<M: Pointwise>(
+        model: &M,
+        t: f64,
+        h: f64,
+        from: &M::State,
+        to: &mut M::State,
+        _work: &mut Workspace<M>,
+    ) -> Result<(), Broken> {
+        let k0 = model.rates(t, from)?;
+        model.advance_straight(from, h, &k0, from, to); // (1)–(4)
+        Ok(())
+    }
+}

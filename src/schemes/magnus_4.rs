@@ -1,0 +1,78 @@
+//! Magnus's expansion to fourth order on two Gauss points, made explicit by three sweeps.
+//!
+//! (0)  K1 = K2 = rates(t, s0)
+//! (1)  s(c) = advance(s0, h, ∫_0^c K + c³ √3/12 h K2 × K1) for c = c1, c2 = ½ ∓ √3/6, K the straight line through K1
+//!      at c1 and K2 at c2; the second term, of Ω alone, is the commutator of Magnus's expansion
+//! (2)  K1, K2 = rates(t + c1 h, s(c1)), rates(t + c2 h, s(c2)); (1) and (2) three times in all
+//! (3)  s1 = s(1) = advance(s0, h, ½ (K1 + K2) + √3/12 h K2 × K1)
+//!
+//! The equations (1), (2) are implicit; every sweep of the fixed-point iteration gains an order in h, and after three
+//! the error of a step is O(h⁵), whether they have converged or not. No tolerance, no Newton iteration.
+//!
+//! Source: iserles1999 for the expansion; hairer2006, section IV.7.
+
+use super::{Card, Scheme, Workspace};
+use crate::claim::{Claim, Quantity, When};
+use crate::model::{Broken, Model, Motion, Rates};
+
+/// Fourth order, seven evaluations a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Magnus4;
+
+const SWEEPS: usize = 3;
+
+impl Scheme for Magnus4 {
+    const CARD: Card = Card {
+        name: "magnus-4",
+        title: "Magnus's expansion on two Gauss points, three sweeps",
+        family: "Lie group",
+        source: "iserles1999; hairer2006",
+        claims: &[
+            Claim::Order(4),
+            Claim::Exact(Quantity::Velocity, When::ConstantForce),
+            Claim::Exact(Quantity::Position, When::ConstantForce),
+            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+            Claim::Exact(Quantity::Orientation, When::SteadySpin),
+            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+            Claim::VerticalMomentum,
+            Claim::Rigid,
+            Claim::Evaluations(7),
+        ],
+    };
+    const STATES: usize = 1;
+
+    fn step<M: Model>(
+        model: &M,
+        t: f64,
+        h: f64,
+        from: &M::State,
+        to: &mut M::State,
+        work: &mut Workspace<M>,
+    ) -> Result<(), Broken> {
+        let [stage] = work.buffers();
+        let [c1, c2] = gauss_points();
+        let (mut k1, mut k2) = { let k0 = model.rates(t, from)?; (k0, k0) }; // (0)
+        for _ in 0..SWEEPS {
+            model.advance(from, h, &expanded(c1, h, &k1, &k2), stage); // (1)
+            let first = model.rates(t + c1 * h, stage)?;
+            model.advance(from, h, &expanded(c2, h, &k1, &k2), stage);
+            k2 = model.rates(t + c2 * h, stage)?; // (2)
+            k1 = first;
+        }
+        model.advance(from, h, &expanded(1.0, h, &k1, &k2), to); // (3)
+        Ok(())
+    }
+}
+
+fn gauss_points() -> [f64; 2] {
+    [0.5 - 3f64.sqrt() / 6.0, 0.5 + 3f64.sqrt() / 6.0]
+}
+
+/// The rates of (1), to be held for h.
+fn expanded<R: Rates>(c: f64, h: f64, k1: &R, k2: &R) -> R {
+    let [c1, c2] = gauss_points();
+    let root = 3f64.sqrt();
+    let mean = (*k1 * (root * c * (c2 - c / 2.0)) + *k2 * (root * c * (c / 2.0 - c1))).motion();
+    let commutator = k2.motion().spin.cross(&k1.motion().spin) * (c * c * c * root / 12.0 * h);
+    R::of(Motion { spin: mean.spin + commutator, ..mean })
+}

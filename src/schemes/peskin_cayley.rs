@@ -1,0 +1,68 @@
+//! The note's scheme with Cayley's map in place of the exact rotation.
+//!
+//! (0)  C(Ω, s) = (E − s/2 Ω×)⁻¹ (E + s/2 Ω×), a turn about Ω through 2 atan(|Ω| s/2): that of the exact R(Ω', s),
+//!      Ω' = Ω · 2 atan(|Ω| s/2)/(|Ω| s)
+//! (1)  X̃_k(t+h/2) = C(Ω(t), h/2) X̃_k(t)
+//! (5)  X̃_k(t+h) = C(Ω(t+h/2), h) X̃_k(t)
+//! (2)–(4), (6)–(8)  as in the note
+//!
+//! Source: peskin2021 with (1) and (5) by cayley1846. Second order; the angle of a step is short by |Ω|³h³/12, so
+//! that even a steady spin lags.
+
+use nalgebra::Vector3;
+
+use super::{Card, Scheme, Workspace};
+use crate::claim::{Claim, Quantity, When};
+use crate::model::{Broken, Model, Motion, Rates};
+use crate::rotation;
+
+/// Peskin's scheme with Cayley's map.
+#[derive(Clone, Copy, Debug)]
+pub struct PeskinCayley;
+
+impl Scheme for PeskinCayley {
+    const CARD: Card = Card {
+        name: "peskin-cayley",
+        title: "Peskin's scheme with Cayley's map",
+        family: "the note, varied",
+        source: "cayley1846; peskin2021",
+        claims: &[
+            Claim::Order(2),
+            Claim::Exact(Quantity::Velocity, When::ConstantForce),
+            Claim::Exact(Quantity::Position, When::ConstantForce),
+            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+            Claim::VerticalMomentum,
+            Claim::Rigid,
+            Claim::Evaluations(2),
+        ],
+    };
+    const STATES: usize = 1;
+
+    fn step<M: Model>(
+        model: &M,
+        t: f64,
+        h: f64,
+        from: &M::State,
+        to: &mut M::State,
+        work: &mut Workspace<M>,
+    ) -> Result<(), Broken> {
+        let half = &mut work.states[0];
+        let k0 = model.rates(t, from)?.motion();
+        model.advance(from, h / 2.0, &by_cayley(k0, h / 2.0), half); // (1)–(4)
+        let k1 = model.rates(t + h / 2.0, half)?.motion();
+        model.advance(from, h, &by_cayley(k1, h), to); // (5)–(8)
+        Ok(())
+    }
+}
+
+/// Rates whose exact rotation over `s` is Cayley's.
+fn by_cayley<R: Rates>(rates: Motion, s: f64) -> R {
+    R::of(Motion { spin: cayley_spin(&rates.spin, s), ..rates }) // (0)
+}
+
+/// Ω' of (0).
+fn cayley_spin(spin: &Vector3<f64>, s: f64) -> Vector3<f64> {
+    let x = rotation::length(spin) * s / 2.0;
+    if x == 0.0 { *spin } else { spin * (x.atan() / x) }
+}

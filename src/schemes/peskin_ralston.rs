@@ -1,0 +1,52 @@
+//! Ralston's choice of the second stage, with exact rotations: two thirds of the step.
+//!
+//! (1)  s⅔ = advance(s0, ⅔ h, k0),  k0 = rates(t, s0)
+//! (2)  s1 = advance(s0, h, ¼ k0 + ¾ k1),  k1 = rates(t + ⅔ h, s⅔)
+//!
+//! Source: ralston1962, whose weights have the least bound on the error of a vector equation; with the
+//! ingredients of peskin2021 in place of sums. What is least for vectors need not be least for rotations.
+
+use super::{Card, Scheme, Workspace};
+use crate::claim::{Claim, Quantity, When};
+use crate::model::{Broken, Model};
+
+/// Ralston's second-order weights.
+#[derive(Clone, Copy, Debug)]
+pub struct PeskinRalston;
+
+impl Scheme for PeskinRalston {
+    const CARD: Card = Card {
+        name: "peskin-ralston",
+        title: "Ralston's second-order weights with exact rotations",
+        family: "the note, varied",
+        source: "ralston1962; peskin2021",
+        claims: &[
+            Claim::Order(2),
+            Claim::Exact(Quantity::Velocity, When::ConstantForce),
+            Claim::Exact(Quantity::Position, When::ConstantForce),
+            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+            Claim::Exact(Quantity::Orientation, When::SteadySpin),
+            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+            Claim::VerticalMomentum,
+            Claim::Rigid,
+            Claim::Evaluations(2),
+        ],
+    };
+    const STATES: usize = 1;
+
+    fn step<M: Model>(
+        model: &M,
+        t: f64,
+        h: f64,
+        from: &M::State,
+        to: &mut M::State,
+        work: &mut Workspace<M>,
+    ) -> Result<(), Broken> {
+        let later = &mut work.states[0];
+        let k0 = model.rates(t, from)?;
+        model.advance(from, 2.0 / 3.0 * h, &k0, later); // (1)
+        let k1 = model.rates(t + 2.0 / 3.0 * h, later)?;
+        model.advance(from, h, &(k0 * (1.0 / 4.0) + k1 * (3.0 / 4.0)), to); // (2)
+        Ok(())
+    }
+}

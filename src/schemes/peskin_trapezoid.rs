@@ -1,0 +1,55 @@
+//! The note's scheme with the trapezoid for X_cm: the mean of U_cm at both ends of the step.
+//!
+//! (1)–(5), (7), (8)  as in the note
+//! (6)  X_cm(t+h) = X_cm(t) + h/2 (U_cm(t) + U_cm(t+h)),  U_cm(t+h) from (7)
+//!                = X_cm(t) + h (U_cm(t) + h/2 F(t+h/2)/M)
+//!
+//! Source: peskin2021 with (6) replaced. Second order; another constant for X_cm, and all else through the forces.
+
+use super::{Card, Scheme, Workspace};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
+use crate::model::{Broken, Model, Motion, Rates};
+
+/// Peskin's scheme with the trapezoid for X_cm.
+#[derive(Clone, Copy, Debug)]
+pub struct PeskinTrapezoid;
+
+impl Scheme for PeskinTrapezoid {
+    const CARD: Card = Card {
+        name: "peskin-trapezoid",
+        title: "Peskin's scheme with the trapezoid for X_cm",
+        family: "the note, varied",
+        source: "peskin2021",
+        claims: &[
+            Claim::Order(2),
+            Claim::Exact(Quantity::Velocity, When::ConstantForce),
+            Claim::Exact(Quantity::Position, When::ConstantForce),
+            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+            Claim::Exact(Quantity::Orientation, When::SteadySpin),
+            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+            Claim::Energy(EnergyOfFreeBody::GrowsSecularly { rate_order: 3 }),
+            Claim::VerticalMomentum,
+            Claim::FlipTimes,
+            Claim::Rigid,
+            Claim::Evaluations(2),
+        ],
+    };
+    const STATES: usize = 1;
+
+    fn step<M: Model>(
+        model: &M,
+        t: f64,
+        h: f64,
+        from: &M::State,
+        to: &mut M::State,
+        work: &mut Workspace<M>,
+    ) -> Result<(), Broken> {
+        let half = &mut work.states[0];
+        let k0 = model.rates(t, from)?;
+        model.advance(from, h / 2.0, &k0, half); // (1)–(4)
+        let k1 = model.rates(t + h / 2.0, half)?.motion();
+        let velocity = k0.motion().velocity + k1.acceleration * (h / 2.0); // (6)
+        model.advance(from, h, &M::Rates::of(Motion { velocity, ..k1 }), to); // (5)–(8)
+        Ok(())
+    }
+}

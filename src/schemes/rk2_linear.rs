@@ -1,0 +1,49 @@
+//! The midpoint rule without rotations: what is left of the note's scheme where points are free vectors.
+//!
+//! (1)  X̃_k(t+h/2) = X̃_k(t) + h/2 Ω(t) × X̃_k(t)
+//! (5)  X̃_k(t+h) = X̃_k(t) + h Ω(t+h/2) × X̃_k(t+h/2)       the arm of the midpoint too, or it were first order
+//! (2)–(4), (6)–(8)  as in the note
+//!
+//! Source: peskin2021 with (1) and (5) linear. Second order; the body is not rigid: its size changes as h³.
+
+use super::{Card, PointScheme, Workspace};
+use crate::claim::{Claim, Quantity, When};
+use crate::model::{Broken, Pointwise};
+
+/// The midpoint rule on the points as free vectors.
+#[derive(Clone, Copy, Debug)]
+pub struct Rk2Linear;
+
+impl PointScheme for Rk2Linear {
+    const CARD: Card = Card {
+        name: "rk2-linear",
+        title: "Midpoint rule without rotations",
+        family: "the note, varied",
+        source: "peskin2021",
+        claims: &[
+            Claim::Order(2),
+            Claim::Exact(Quantity::Velocity, When::ConstantForce),
+            Claim::Exact(Quantity::Position, When::ConstantForce),
+            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+            Claim::VerticalMomentum,
+            Claim::Evaluations(2),
+        ],
+    };
+    const STATES: usize = 1;
+
+    fn step<M: Pointwise>(
+        model: &M,
+        t: f64,
+        h: f64,
+        from: &M::State,
+        to: &mut M::State,
+        work: &mut Workspace<M>,
+    ) -> Result<(), Broken> {
+        let [half] = work.buffers();
+        let k0 = model.rates(t, from)?;
+        model.advance_straight(from, h / 2.0, &k0, from, half); // (1)–(4)
+        let k1 = model.rates(t + h / 2.0, half)?;
+        model.advance_straight(from, h, &k1, half, to); // (5)–(8)
+        Ok(())
+    }
+}

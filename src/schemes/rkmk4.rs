@@ -1,0 +1,70 @@
+//! Munthe-Kaas's method on the classical tableau: Runge–Kutta in the rotation vector of the step.
+//!
+//! (1)  K1 = k1 = rates(t, s0)
+//! (2)  K2 = d(h/2 K1, rates(t + h/2, advance(s0, h/2, K1)))
+//! (3)  K3 = d(h/2 K2, rates(t + h/2, advance(s0, h/2, K2)))
+//! (4)  K4 = d(h K3, rates(t + h, advance(s0, h, K3)))
+//! (5)  s1 = advance(s0, h, ⅙ K1 + ⅓ K2 + ⅓ K3 + ⅙ K4)
+//! (6)  d(u, k): Ω becomes Ω − ½ u × Ω + 1/12 u × (u × Ω), the inverse derivative of exp at u cut off at the order
+//!      of the method; the other rates stay, since positions, velocities and L add.
+//!
+//! Source: munthekaas1999; hairer2006, section IV.8. Signs for rotations that multiply from the left.
+
+use nalgebra::Vector3;
+
+use super::{Card, Scheme, Workspace};
+use crate::claim::{Claim, Quantity, When};
+use crate::model::{Broken, Model, Motion, Rates};
+
+/// Fourth order, four evaluations and four rotations a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Rkmk4;
+
+impl Scheme for Rkmk4 {
+    const CARD: Card = Card {
+        name: "rkmk4",
+        title: "Runge–Kutta–Munthe-Kaas of fourth order",
+        family: "Lie group",
+        source: "munthekaas1999; hairer2006",
+        claims: &[
+            Claim::Order(4),
+            Claim::Exact(Quantity::Velocity, When::ConstantForce),
+            Claim::Exact(Quantity::Position, When::ConstantForce),
+            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+            Claim::Exact(Quantity::Orientation, When::SteadySpin),
+            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+            Claim::VerticalMomentum,
+            Claim::Rigid,
+            Claim::Evaluations(4),
+        ],
+    };
+    const STATES: usize = 1;
+
+    fn step<M: Model>(
+        model: &M,
+        t: f64,
+        h: f64,
+        from: &M::State,
+        to: &mut M::State,
+        work: &mut Workspace<M>,
+    ) -> Result<(), Broken> {
+        let stage = &mut work.states[0];
+        let k1 = model.rates(t, from)?; // (1)
+        model.advance(from, h / 2.0, &k1, stage);
+        let k2 = pulled_back(h / 2.0, &k1, &model.rates(t + h / 2.0, stage)?); // (2)
+        model.advance(from, h / 2.0, &k2, stage);
+        let k3 = pulled_back(h / 2.0, &k2, &model.rates(t + h / 2.0, stage)?); // (3)
+        model.advance(from, h, &k3, stage);
+        let k4 = pulled_back(h, &k3, &model.rates(t + h, stage)?); // (4)
+        model.advance(from, h, &((k1 + k4) * (1.0 / 6.0) + (k2 + k3) * (1.0 / 3.0)), to); // (5)
+        Ok(())
+    }
+}
+
+/// d(s K, k) of (6).
+fn pulled_back<R: Rates>(s: f64, reached_by: &R, rates: &R) -> R {
+    let u: Vector3<f64> = reached_by.motion().spin * s;
+    let motion = rates.motion();
+    let across = u.cross(&motion.spin);
+    R::of(Motion { spin: motion.spin - across / 2.0 + u.cross(&across) / 12.0, ..motion })
+}

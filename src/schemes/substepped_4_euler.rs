@@ -1,0 +1,47 @@
+//! The Euler-only baseline in four parts a step.
+//!
+//! (1)  s(i+1) = advance(s(i), h/4, rates(t + i h/4, s(i))),  i = 0 … 3
+//!
+//! Source: peskin2021, steps (1)–(4). First order with a quarter of Euler's error at four times its cost: what
+//! substeps buy without a better scheme.
+
+use super::{Card, Euler, Scheme, Substepped, Workspace};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
+use crate::model::{Broken, Model};
+
+/// Euler's method in four parts.
+#[derive(Clone, Copy, Debug)]
+pub struct Substepped4Euler;
+
+impl Scheme for Substepped4Euler {
+    const CARD: Card = Card {
+        name: "substepped-4-euler",
+        title: "Euler-only baseline in four parts a step",
+        family: "substepped",
+        source: "peskin2021",
+        claims: &[
+            Claim::Order(1),
+            Claim::Exact(Quantity::Velocity, When::ConstantForce),
+            Claim::Exact(Quantity::Position, When::NoForce),
+            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+            Claim::Exact(Quantity::Orientation, When::SteadySpin),
+            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+            Claim::Energy(EnergyOfFreeBody::GrowsSecularly { rate_order: 1 }),
+            Claim::VerticalMomentum,
+            Claim::Rigid,
+            Claim::Evaluations(4),
+        ],
+    };
+    const STATES: usize = Substepped::<Euler, 4>::STATES;
+
+    fn step<M: Model>(
+        model: &M,
+        t: f64,
+        h: f64,
+        from: &M::State,
+        to: &mut M::State,
+        work: &mut Workspace<M>,
+    ) -> Result<(), Broken> {
+        Substepped::<Euler, 4>::step(model, t, h, from, to, work) // (1)
+    }
+}
