@@ -48,7 +48,7 @@ pub fn turn_in(moments: &Vector3<f64>, momentum: &Vector3<f64>, t: f64) -> Rotat
         w31: difference(2, 0),
         w32: difference(2, 1),
     };
-    axes.from_ordered(&polhode.turn_in(&l, t))
+    axes.turn_in_given_order(&polhode.turn_in(&l, t))
 }
 
 /// The principal axes in the order of (1); the first may be reversed to keep them right-handed.
@@ -76,7 +76,7 @@ impl Axes {
         Vector3::new(self.first * v[i], v[j], v[k])
     }
 
-    fn from_ordered(&self, turn: &Rotation) -> Rotation {
+    fn turn_in_given_order(&self, turn: &Rotation) -> Rotation {
         let mut imaginary = Vector3::zeros();
         let [i, j, k] = self.index;
         (imaginary[i], imaginary[j], imaginary[k]) = (self.first * turn.i, turn.j, turn.k);

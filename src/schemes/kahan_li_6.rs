@@ -37,6 +37,7 @@ impl Composition for NineSteps {
         ],
     };
 
+    #[expect(clippy::excessive_precision, reason = "the digits as printed")]
     fn half() -> [f64; 5] {
         [
             0.392_161_444_007_314_139_28,

@@ -37,6 +37,7 @@ impl Composition for SeventeenSteps {
         ],
     };
 
+    #[expect(clippy::excessive_precision, reason = "the digits as printed")]
     fn half() -> [f64; 9] {
         [
             0.130_202_483_088_890_080_88,

@@ -8,7 +8,7 @@
 //! (1) is F D − D Fᵀ = h l̂ for F the matrix of q and D = ½ tr I − I. There is no solution where h |l| is too large.
 //!
 //! Source: moser1991; mclachlan2005 as an integrator; the quaternion form after hairer2006mv. Order 2, symplectic,
-//! symmetric; a free body keeps energy and |L| to rounding, and its steady spins are too slow by (hΩ)²/6.
+//! symmetric; a free body keeps energy and |L| to rounding, and its steady spins are too fast by (hΩ)²/6.
 
 use nalgebra::{Matrix3, Vector3};
 
