@@ -45,6 +45,8 @@ pub enum Claim {
     /// Error of every quantity is C hᵖ for small h, at the end and as the maximum over the run, with the C that
     /// is on record.
     Order(u32),
+    /// Without torque the order is this one instead.
+    OrderWithoutTorque(u32),
     /// A quantity is exact but for rounding.
     Exact(Quantity, When),
     /// Energy of a free body.
@@ -64,6 +66,7 @@ impl Claim {
     pub fn name(self) -> &'static str {
         match self {
             Claim::Order(_) => "order",
+            Claim::OrderWithoutTorque(_) => "order-without-torque",
             Claim::Exact(..) => "exact",
             Claim::Energy(_) => "energy",
             Claim::VerticalMomentum => "vertical-momentum",
@@ -78,6 +81,7 @@ impl fmt::Display for Claim {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Claim::Order(order) => write!(f, "order {order} in every quantity, constants as recorded"),
+            Claim::OrderWithoutTorque(order) => write!(f, "order {order} without torque"),
             Claim::Exact(quantity, when) => write!(f, "{} exact {}", quantity.name(), when.words()),
             Claim::Energy(EnergyOfFreeBody::GrowsSecularly { rate_order }) => {
                 let power = if *rate_order == 1 { "h".to_owned() } else { format!("h^{rate_order}") };

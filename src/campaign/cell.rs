@@ -3,6 +3,7 @@
 use super::rows;
 use crate::gates::{self, Baseline, Case};
 use crate::metrics::{self, EnergyDrift, Evidence, FlipFinder};
+use crate::model::System;
 use crate::record::{Drift, Measurement, Order, Series, Verdict};
 use crate::reference::{Reference, dop853};
 use crate::rotation;
@@ -39,7 +40,7 @@ pub(super) fn measure(
         return refused(scene, contestant, reason);
     }
     let fastest = fastest(reference);
-    let evidence = metrics::climb(contestant, system, reference, contestant.card.order());
+    let evidence = metrics::climb(contestant, system, reference, claimed_order(contestant, system));
     let drift = metrics::energy_drift(contestant, system, scene.duration);
     let points = metrics::point_run(contestant, system, scene.duration, fastest);
     let flips = true_flips(scene, fastest)
@@ -67,6 +68,11 @@ pub(super) fn measure(
         series: if series { against_time(&names, scene, contestant, &evidence) } else { Vec::new() },
         reduction: points.as_ref().map(|points| (points.difference, points.speedup)),
     }
+}
+
+/// The order that the scheme claims in the scene.
+fn claimed_order(contestant: &Contestant, system: &System) -> u32 {
+    if system.torque_free() { contestant.card.order_without_torque() } else { contestant.card.order() }
 }
 
 /// A scheme that cannot take the scene: not applicable, with the reason, for every claim.

@@ -6,7 +6,7 @@ use crate::record::{Ruling, Verdict};
 /// A verdict that is known not to hold.
 struct Deviation {
     scene: &'static str,
-    scheme: &'static str,
+    schemes: &'static [&'static str],
     claim: &'static str,
     quantities: &'static [&'static str],
     reason: &'static str,
@@ -22,6 +22,9 @@ const ROTATION: &[&str] = &[
     "body-point-max",
 ];
 
+/// First-order rules whose error saturates over many turns.
+const FIRST_ORDER: &[&str] = &["euler", "course-notes-euler", "course-code-euler", "substepped-4-euler"];
+
 const ENERGY_RATE: &[&str] = &["rotational-energy-rate"];
 
 const SATURATED: &str = "over so many turns the error of a first-order rule is as large as the motion itself at every step that \
@@ -33,73 +36,81 @@ const NEVER_STEADY: &str = "a first-order rule gains energy so fast that its rat
 const KNOWN: &[Deviation] = &[
     Deviation {
         scene: "mujoco-fast-spin",
-        scheme: "euler",
+        schemes: FIRST_ORDER,
         claim: "order",
         quantities: ROTATION,
         reason: SATURATED,
     },
     Deviation {
         scene: "thin-body",
-        scheme: "euler",
+        schemes: FIRST_ORDER,
         claim: "order",
         quantities: ROTATION,
         reason: SATURATED,
     },
     Deviation {
         scene: "free-asymmetric",
-        scheme: "euler",
+        schemes: &["euler"],
         claim: "energy",
         quantities: ENERGY_RATE,
         reason: NEVER_STEADY,
     },
     Deviation {
         scene: "dzhanibekov",
-        scheme: "euler",
+        schemes: &["euler"],
         claim: "energy",
         quantities: ENERGY_RATE,
         reason: NEVER_STEADY,
     },
     Deviation {
         scene: "mujoco-fast-spin",
-        scheme: "euler",
+        schemes: &["euler"],
         claim: "energy",
         quantities: ENERGY_RATE,
         reason: NEVER_STEADY,
     },
     Deviation {
         scene: "mujoco-middle-axis",
-        scheme: "euler",
+        schemes: &["euler"],
         claim: "energy",
         quantities: ENERGY_RATE,
         reason: NEVER_STEADY,
     },
     Deviation {
         scene: "jsbsim-rotations",
-        scheme: "euler",
+        schemes: &["euler"],
         claim: "energy",
         quantities: ENERGY_RATE,
         reason: NEVER_STEADY,
     },
     Deviation {
         scene: "osrf-boxes-complex",
-        scheme: "euler",
+        schemes: &["euler"],
         claim: "energy",
         quantities: ENERGY_RATE,
         reason: NEVER_STEADY,
     },
     Deviation {
         scene: "thin-body",
-        scheme: "euler",
+        schemes: &["euler"],
         claim: "energy",
         quantities: ENERGY_RATE,
         reason: NEVER_STEADY,
     },
     Deviation {
         scene: "nasa-check-case-2",
-        scheme: "euler",
+        schemes: &["euler"],
         claim: "energy",
         quantities: ENERGY_RATE,
         reason: NEVER_STEADY,
+    },
+    Deviation {
+        scene: "dzhanibekov",
+        schemes: &["exact-rotor"],
+        claim: "exact",
+        quantities: &["orientation-end", "angular-velocity-end"],
+        reason: "each step multiplies five rotations of many radians, and passing near the separatrix amplifies their \
+                 rounding to 1.2 times the bound",
     },
 ];
 
@@ -107,7 +118,7 @@ pub(super) fn apply(verdicts: &mut [Verdict]) {
     for verdict in verdicts {
         let known = KNOWN.iter().find(|known| {
             known.scene == verdict.scene
-                && known.scheme == verdict.scheme
+                && known.schemes.contains(&verdict.scheme.as_str())
                 && known.claim == verdict.claim
                 && known.quantities.contains(&verdict.quantity.as_str())
         });

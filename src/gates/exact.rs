@@ -41,7 +41,7 @@ pub(super) fn judge(case: &Case, quantity: Quantity, when: When) -> Vec<Verdict>
     verdicts
 }
 
-/// A body in steady spin, in one step and in a few: exact is exact at every step.
+/// A body in steady spin, in one step and in a few: exact is exact at every step that can be made.
 fn judge_giant_steps(case: &Case, quantity: Quantity) -> Option<Verdict> {
     let index = Quantity::ALL.iter().position(|q| *q == quantity)?;
     let name = format!("{}-giant-steps", quantity.name());
@@ -49,7 +49,8 @@ fn judge_giant_steps(case: &Case, quantity: Quantity) -> Option<Verdict> {
         let (error, floor) = (rung.errors[index].end, rung.floors[index].end);
         if error == 0.0 { 0.0 } else { error / floor }
     };
-    let worst = case.evidence.giant_steps.iter().max_by(|a, b| ratio(a).total_cmp(&ratio(b)))?;
+    let whole = case.evidence.giant_steps.iter().filter(|rung| rung.outcome.broken.is_none());
+    let worst = whole.max_by(|a, b| ratio(a).total_cmp(&ratio(b)))?;
     let (error, bound) = (worst.errors[index].end, 10.0 * worst.floors[index].end);
     let unit = quantity.unit();
     let detail = format!(
@@ -61,7 +62,8 @@ fn judge_giant_steps(case: &Case, quantity: Quantity) -> Option<Verdict> {
 
 fn judge_ladder(case: &Case, name: &str, ladder: &QuantityLadder) -> Verdict {
     let unit = ladder.quantity.unit();
-    let worst = ladder.rungs.iter().max_by(|a, b| (a.1 - 10.0 * a.2).total_cmp(&(b.1 - 10.0 * b.2)));
+    let whole = ladder.rungs.iter().zip(&case.evidence.rungs).filter(|(_, run)| run.outcome.broken.is_none());
+    let worst = whole.map(|(rung, _)| rung).max_by(|a, b| (a.1 - 10.0 * a.2).total_cmp(&(b.1 - 10.0 * b.2)));
     let (error, bound) = worst.map_or((f64::NAN, f64::NAN), |rung| (rung.1, 10.0 * rung.2));
     match ladder.ladder {
         Ladder::Broken => ruled(case, "exact", name, Ruling::Broken, "a run of the ladder broke"),

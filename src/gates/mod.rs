@@ -82,7 +82,9 @@ pub fn judge(case: &Case) -> Vec<Verdict> {
     let mut verdicts = Vec::new();
     for claim in case.card.claims {
         match *claim {
-            Claim::Order(order) => verdicts.extend(order::judge(case, order)),
+            Claim::Order(order) => verdicts.extend(order::judge(case, order_here(case, order))),
+            // Judged in place of the order, in the scenes that it speaks of.
+            Claim::OrderWithoutTorque(_) => {}
             Claim::Exact(quantity, when) => verdicts.extend(exact::judge(case, quantity, when)),
             Claim::Energy(energy) => verdicts.extend(energy::judge(case, energy)),
             Claim::VerticalMomentum => verdicts.extend(vertical_momentum::judge(case)),
@@ -123,6 +125,11 @@ pub fn exit_code(verdicts: &[Verdict]) -> u8 {
     } else {
         0
     }
+}
+
+/// The order that is claimed for the scene.
+fn order_here(case: &Case, order: u32) -> u32 {
+    if case.system.torque_free() { case.card.order_without_torque() } else { order }
 }
 
 /// Whether a promise of exactness speaks about this scene.

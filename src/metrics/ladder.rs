@@ -2,8 +2,9 @@
 //!
 //! The floor of an error is what rounding and the reference leave undecided. Rounding is measured: the start
 //! is moved a little in seeded directions, and the growth of the difference over the run says what a rounding of
-//! each step becomes. n steps leave about √n roundings, n of them in a steady spin, where every step is the same and
-//! rounds the same way; and the rounding of h turns the phase by u |Ω| T.
+//! each step becomes. n steps leave about √n roundings, but n of them where every step is the same and rounds the same
+//! way: the rotation in a steady spin, the translation under a constant force. The rounding of h turns the phase
+//! by u |Ω| T.
 
 use nalgebra::Vector3;
 
@@ -22,6 +23,10 @@ const MOST_RUNGS: usize = 13;
 const MOST_STEPS: u64 = 1 << 20;
 /// Radians turned in a step of the coarsest rung, at most.
 const COARSEST_TURN: f64 = 0.4;
+/// Order from which on a run may have fewer steps than the reference has samples, …
+const HIGH_ORDER: u32 = 4;
+/// … and is compared at this many.
+const FEWEST_SAMPLES: usize = 8;
 /// Change of a slope by one more rung from which on the ladder may still become something else.
 const STANDS: f64 = 0.02;
 /// Numbers of steps, odd ones, that a whole run in steady spin is made in besides its ladder.
@@ -125,13 +130,22 @@ pub struct Evidence {
 
 /// Runs a ladder. `order` is the claimed one: the ladder grows finer until every quantity's order is settled, at
 /// its floor, or out of reach.
+///
+/// The higher the order, the larger the steps that the ladder begins at, so that a few halvings remain above
+/// rounding: √2 times for each order above two. From the fourth on the maximum over the run is taken over eight
+/// samples.
 pub fn climb(contestant: &Contestant, system: &System, reference: &Reference, order: u32) -> Evidence {
+    let coarser = 2f64.powf(f64::from(order.saturating_sub(2)) / 2.0);
+    let samples = if order < HIGH_ORDER { reference.times.len() - 1 } else { FEWEST_SAMPLES };
+    let thinned = reference.thinned((reference.times.len() - 1) / samples);
+    let reference = &thinned;
+    let coarsest = COARSEST_TURN * coarser;
     let samples = reference.times.len() as u64 - 1;
     let duration = reference.times[reference.times.len() - 1];
     let turned =
         reference.states.iter().map(|s| rotation::length(&s.angular_velocity)).fold(0.0, f64::max) * duration;
     let mut first = samples;
-    while turned / first as f64 > COARSEST_TURN && first << FEWEST_RUNGS <= MOST_STEPS {
+    while turned / first as f64 > coarsest && first << FEWEST_RUNGS <= MOST_STEPS {
         first *= 2;
     }
     let growth = rounding_growth(contestant, system, reference, first * 4);
@@ -309,21 +323,24 @@ fn displaced(system: &System, reference: &Reference, direction: usize) -> System
     system.displaced(&along(1.0, 0), &change)
 }
 
-/// What the roundings of `steps` steps over `turned` radians add up to, relative.
-fn roundings(system: &System, steps: u64, turned: f64) -> f64 {
+/// What the roundings of `steps` steps over `turned` radians add up to, relative, for each quantity.
+fn roundings(system: &System, steps: u64, turned: f64) -> [f64; 6] {
     let steps = steps as f64;
-    f64::EPSILON * (if system.steady_spin() { steps } else { steps.sqrt() } + 0.5 * turned)
+    let add = |alike: bool| f64::EPSILON * (if alike { steps } else { steps.sqrt() } + 0.5 * turned);
+    let (constant_force, _) = system.constant_force();
+    let (translation, rotation) = (add(constant_force), add(system.steady_spin()));
+    [translation, translation, rotation, rotation, rotation, translation.max(rotation)]
 }
 
 /// The larger of the reference's uncertainty and what roundings become.
-fn floors(reference: &Reference, growth: &[Reading; 6], roundings: f64) -> [Reading; 6] {
+fn floors(reference: &Reference, growth: &[Reading; 6], roundings: [f64; 6]) -> [Reading; 6] {
     let last = reference.uncertainty[reference.uncertainty.len() - 1];
     let mut floors = *growth;
     for (index, floor) in floors.iter_mut().enumerate() {
         let largest = reference.uncertainty.iter().map(|u| u[index]).fold(0.0, f64::max);
         *floor = Reading {
-            end: (floor.end * roundings).max(last[index]),
-            max: (floor.max * roundings).max(largest),
+            end: (floor.end * roundings[index]).max(last[index]),
+            max: (floor.max * roundings[index]).max(largest),
         };
     }
     floors

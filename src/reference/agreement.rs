@@ -61,6 +61,16 @@ impl Reference {
         Ok(reference)
     }
 
+    /// The same motion at every `every`-th time, for runs of fewer steps than there are times.
+    pub fn thinned(&self, every: usize) -> Reference {
+        Reference {
+            times: self.times.iter().copied().step_by(every).collect(),
+            states: self.states.iter().copied().step_by(every).collect(),
+            uncertainty: self.uncertainty.iter().copied().step_by(every).collect(),
+            sources: self.sources.clone(),
+        }
+    }
+
     /// Largest uncertainty over the run.
     pub fn largest_uncertainty(&self) -> Spread {
         self.uncertainty.iter().fold([0.0; 6], larger)

@@ -12,7 +12,7 @@
 //! Source: peskin2021 with (4) in this order.
 
 use super::{Card, PointScheme, Workspace};
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
+use crate::claim::{Claim, Quantity, When};
 use crate::model::{Broken, Motion, Pointwise, Rates};
 
 /// Euler's method with old forces on new lever arms.
@@ -32,7 +32,6 @@ impl PointScheme for CourseCodeEuler {
             Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
             Claim::Exact(Quantity::Orientation, When::SteadySpin),
             Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::Energy(EnergyOfFreeBody::GrowsSecularly { rate_order: 1 }),
             Claim::VerticalMomentum,
             Claim::Rigid,
             Claim::Evaluations(2),

@@ -9,7 +9,7 @@
 //! once a step; asking for Ω(t) through the model's rates counts as a second evaluation.
 
 use super::{Card, Scheme, Workspace};
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
+use crate::claim::{Claim, Quantity, When};
 use crate::model::{Broken, Model, Motion, Rates};
 
 /// Euler's method with forces at the new positions.
@@ -29,7 +29,6 @@ impl Scheme for CourseNotesEuler {
             Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
             Claim::Exact(Quantity::Orientation, When::SteadySpin),
             Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::Energy(EnergyOfFreeBody::GrowsSecularly { rate_order: 1 }),
             Claim::VerticalMomentum,
             Claim::Rigid,
             Claim::Evaluations(2),

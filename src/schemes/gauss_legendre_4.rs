@@ -30,7 +30,6 @@ impl TurningScheme for GaussLegendre4 {
             Claim::Exact(Quantity::Velocity, When::ConstantForce),
             Claim::Exact(Quantity::Position, When::ConstantForce),
             Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
             Claim::VerticalMomentum,
             Claim::Rigid,
         ],

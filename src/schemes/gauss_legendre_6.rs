@@ -31,7 +31,6 @@ impl TurningScheme for GaussLegendre6 {
             Claim::Exact(Quantity::Velocity, When::ConstantForce),
             Claim::Exact(Quantity::Position, When::ConstantForce),
             Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
             Claim::VerticalMomentum,
             Claim::Rigid,
         ],

@@ -34,6 +34,12 @@ impl Card {
         self.claims.iter().find_map(|c| if let Claim::Order(p) = c { Some(*p) } else { None }).unwrap_or(0)
     }
 
+    /// The claimed order of convergence in a scene without torque.
+    pub fn order_without_torque(&self) -> u32 {
+        let own = |claim: &Claim| if let Claim::OrderWithoutTorque(p) = claim { Some(*p) } else { None };
+        self.claims.iter().find_map(own).unwrap_or_else(|| self.order())
+    }
+
     /// The claimed number of force evaluations a step; 0 where none is claimed.
     pub fn evaluations(&self) -> u32 {
         self.claims

@@ -91,6 +91,7 @@ macro_rules! preprocessed_scheme {
                 source: "hairer2006mv",
                 claims: &[
                     Claim::Order(2),
+                    Claim::OrderWithoutTorque(2 + 2 * $terms),
                     Claim::Exact(Quantity::Velocity, When::ConstantForce),
                     Claim::Exact(Quantity::Position, When::ConstantForce),
                     Claim::Exact(Quantity::AngularMomentum, When::NoTorque),

@@ -6,7 +6,7 @@
 //! substeps buy without a better scheme.
 
 use super::{Card, Euler, Scheme, Substepped, Workspace};
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
+use crate::claim::{Claim, Quantity, When};
 use crate::model::{Broken, Model};
 
 /// Euler's method in four parts.
@@ -26,7 +26,6 @@ impl Scheme for Substepped4Euler {
             Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
             Claim::Exact(Quantity::Orientation, When::SteadySpin),
             Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::Energy(EnergyOfFreeBody::GrowsSecularly { rate_order: 1 }),
             Claim::VerticalMomentum,
             Claim::Rigid,
             Claim::Evaluations(4),
