@@ -75,7 +75,7 @@ fn every_scheme_has_its_order_on_generic_scenes_with_torque() {
             if order == 6 || contestant.refusal(&scene.system).is_some() {
                 continue;
             }
-            let evidence = climb(&contestant, &scene.system, &reference, order);
+            let evidence = climb(&contestant, &scene.system, &reference, order, true);
             let orientation = evidence
                 .ladders
                 .iter()

@@ -172,7 +172,7 @@ fn every_geometric_scheme_has_its_order_under_torque() {
         let reference =
             Reference::of(&scene.system, scene.duration, 16, stored.as_ref()).expect("a reference");
         for (scheme, order) in MEASURED {
-            let evidence = metrics::climb(&contestant(scheme), &scene.system, &reference, *order);
+            let evidence = metrics::climb(&contestant(scheme), &scene.system, &reference, *order, true);
             let ladder = evidence
                 .ladders
                 .iter()

@@ -64,7 +64,7 @@ fn every_variant_has_its_order_on_generic_scenes_with_torque() {
         for scheme in SCHEMES {
             let contestant = contestant(scheme);
             let order = contestant.card.order();
-            let evidence = climb(&contestant, &scene.system, &reference, order);
+            let evidence = climb(&contestant, &scene.system, &reference, order, true);
             for ladder in &evidence.ladders {
                 if ladder.place != Place::End || !QUANTITIES.contains(&ladder.quantity) {
                     continue;

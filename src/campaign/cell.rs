@@ -1,6 +1,7 @@
 //! One scheme in one scene: everything that is measured, then judged, as rows.
 
 use super::rows;
+use crate::claim::Claim;
 use crate::gates::{self, Baseline, Case};
 use crate::metrics::{self, EnergyDrift, Evidence, FlipFinder};
 use crate::model::System;
@@ -40,10 +41,19 @@ pub(super) fn measure(
         return refused(scene, contestant, reason);
     }
     let fastest = fastest(reference);
-    let evidence = metrics::climb(contestant, system, reference, claimed_order(contestant, system));
+    let evidence = metrics::climb(
+        contestant,
+        system,
+        reference,
+        claimed_order(contestant, system),
+        scene.not_for_order.is_none(),
+    );
     let drift = metrics::energy_drift(contestant, system, scene.duration);
     let points = metrics::point_run(contestant, system, scene.duration, fastest);
-    let flips = true_flips(scene, fastest)
+    let asked = contestant.card.claims.contains(&Claim::FlipTimes);
+    let flips = asked
+        .then(|| true_flips(scene, fastest))
+        .flatten()
         .and_then(|truth| metrics::flips(contestant, system, scene.duration, fastest, truth));
     let case = Case {
         scene: &scene.name,

@@ -37,7 +37,8 @@ pub(super) struct Options {
 
 const EXAMPLES: &str = "\
 Examples:
-  polhode gate                                    every scheme in every built-in scene
+  polhode gate                                    the main schemes in every built-in scene
+  polhode gate --scheme all                       every scheme
   polhode gate --scheme euler --scene kovalevskaya --verbose
   polhode gate --scene my-body.toml --json now.json
   polhode gate --scene my-body.toml --baseline before.json   error constants within 5 %
@@ -49,7 +50,7 @@ pub(super) fn gate(options: &Options, quiet: bool) -> Result<u8, Failure> {
         Some(path) => Baseline::from_records(&Records::read(path)?),
         None => Baseline::built_in(),
     };
-    let records = measure(&options.selection, baseline, false, quiet)?;
+    let records = measure(&options.selection, false, baseline, false, quiet)?;
     if let Some(path) = &options.json {
         record::write_whole(path, records.to_json().as_bytes())?;
     }
@@ -66,11 +67,12 @@ pub(super) fn gate(options: &Options, quiet: bool) -> Result<u8, Failure> {
 /// Measures and judges a selection, with a progress bar on stderr.
 pub(super) fn measure(
     selection: &Selection,
+    full: bool,
     baseline: Baseline,
     series: bool,
     quiet: bool,
 ) -> Result<Records, Failure> {
-    let (scenes, contestants) = (selection.scenes()?, selection.contestants()?);
+    let (scenes, contestants) = (selection.scenes()?, selection.contestants(full)?);
     let bar = progress_bar(quiet, "measuring");
     let progress = |done: usize, all: usize| {
         bar.set_length(all as u64);

@@ -40,7 +40,7 @@ Examples:
   polhode report --scene my-body.toml --scheme peskin-rk2";
 
 pub(super) fn report(options: &Options, quiet: bool) -> Result<u8, Failure> {
-    let records = measure(&options.selection, Baseline::built_in(), true, quiet)?;
+    let records = measure(&options.selection, options.full, Baseline::built_in(), true, quiet)?;
     let bar = progress_bar(quiet, "drawing");
     let progress = |done: usize, all: usize| {
         bar.set_length(all as u64);

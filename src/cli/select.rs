@@ -9,7 +9,7 @@ use crate::simulate::Contestant;
 /// Which schemes and scenes.
 #[derive(Args, Clone, Debug, Default)]
 pub(super) struct Selection {
-    /// Scheme to measure; may be given several times [default: all]
+    /// Scheme to measure, or `all`; may be given several times [default: the main ones]
     #[arg(long = "scheme", value_name = "S")]
     schemes: Vec<String>,
     /// Scene to measure in: a built-in name or a TOML file; may be given several times [default: all built-in]
@@ -18,8 +18,12 @@ pub(super) struct Selection {
 }
 
 impl Selection {
-    pub(super) fn contestants(&self) -> Result<Vec<Contestant>, Failure> {
-        if self.schemes.is_empty() {
+    /// The schemes that were named, all where `full`, or the main ones.
+    pub(super) fn contestants(&self, full: bool) -> Result<Vec<Contestant>, Failure> {
+        if self.schemes.is_empty() && !full {
+            return Ok(Contestant::main());
+        }
+        if full || self.schemes.iter().any(|name| name == "all") {
             return Ok(Contestant::all());
         }
         self.schemes.iter().map(|name| contestant(name)).collect()

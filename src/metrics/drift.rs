@@ -28,7 +28,7 @@ const LONGEST: f64 = 4000.0;
 /// Most steps of all runs together, where the scheme makes a promise about its energy …
 const MOST_STEPS: u64 = 4_000_000;
 /// … and where it makes none.
-const MOST_STEPS_UNASKED: u64 = 300_000;
+const MOST_STEPS_UNASKED: u64 = 100_000;
 /// Samples of a run.
 const SAMPLES: u64 = 512;
 

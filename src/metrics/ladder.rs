@@ -18,7 +18,7 @@ use crate::simulate::{Contestant, Form, Outcome, Plan, Trajectory};
 /// Fewest rungs of a ladder.
 const FEWEST_RUNGS: usize = 6;
 /// Most rungs of a ladder.
-const MOST_RUNGS: usize = 13;
+const MOST_RUNGS: usize = 20;
 /// Most steps of a rung.
 const MOST_STEPS: u64 = 1 << 20;
 /// Radians turned in a step of the coarsest rung, at most.
@@ -132,9 +132,17 @@ pub struct Evidence {
 /// its floor, or out of reach.
 ///
 /// The higher the order, the larger the steps that the ladder begins at, so that a few halvings remain above
-/// rounding: √2 times for each order above two. From the fourth on the maximum over the run is taken over eight
-/// samples.
-pub fn climb(contestant: &Contestant, system: &System, reference: &Reference, order: u32) -> Evidence {
+/// rounding: √2 times for each order above two. From the fourth on there is a rung between any two halvings, and the
+/// maximum over the run is taken over eight samples.
+///
+/// Where `settle` is false, as in a scene that carries no order, six rungs are enough.
+pub fn climb(
+    contestant: &Contestant,
+    system: &System,
+    reference: &Reference,
+    order: u32,
+    settle: bool,
+) -> Evidence {
     let coarser = 2f64.powf(f64::from(order.saturating_sub(2)) / 2.0);
     let samples = if order < HIGH_ORDER { reference.times.len() - 1 } else { FEWEST_SAMPLES };
     let thinned = reference.thinned((reference.times.len() - 1) / samples);
@@ -144,7 +152,7 @@ pub fn climb(contestant: &Contestant, system: &System, reference: &Reference, or
     let duration = reference.times[reference.times.len() - 1];
     let turned =
         reference.states.iter().map(|s| rotation::length(&s.angular_velocity)).fold(0.0, f64::max) * duration;
-    let mut first = samples;
+    let mut first = if order < HIGH_ORDER { samples } else { 2 * samples };
     while turned / first as f64 > coarsest && first << FEWEST_RUNGS <= MOST_STEPS {
         first *= 2;
     }
@@ -157,7 +165,7 @@ pub fn climb(contestant: &Contestant, system: &System, reference: &Reference, or
     };
     let mut before = Vec::new();
     for index in 0..MOST_RUNGS {
-        let steps = first << index;
+        let steps = steps_of_rung(first, index, order);
         if steps > MOST_STEPS && index >= FEWEST_RUNGS {
             break;
         }
@@ -169,7 +177,7 @@ pub fn climb(contestant: &Contestant, system: &System, reference: &Reference, or
             let last = std::mem::replace(&mut evidence.ladders, ladders(&evidence.rungs, order));
             let mut pairs = evidence.ladders.iter().enumerate();
             // A scheme that claims no order has none to settle.
-            if order == 0 || pairs.all(|(index, ladder)| settled(ladder, last.get(index), order)) {
+            if !settle || order == 0 || pairs.all(|(index, ladder)| settled(ladder, last.get(index), order)) {
                 break;
             }
         }
@@ -178,6 +186,14 @@ pub fn climb(contestant: &Contestant, system: &System, reference: &Reference, or
         evidence.giant_steps = giant_steps(contestant, system, reference, &growth, turned);
     }
     evidence
+}
+
+/// Steps of a rung: halvings of h, and from the fourth order on their middles too, 3/2 and 4/3 times as many by turns.
+fn steps_of_rung(first: u64, index: usize, order: u32) -> u64 {
+    if order < HIGH_ORDER {
+        return first << index;
+    }
+    (if index.is_multiple_of(2) { first } else { first / 2 * 3 }) << (index / 2)
 }
 
 /// Whether a finer rung would change nothing: the order holds, the error is at its floor, or the last rung has

@@ -193,6 +193,23 @@ mod substepped;
 
 pub use substepped::Substepped;
 
+/// The schemes that a report and a gate cover unless told otherwise: one or two of each family, and those that
+/// engines use.
+pub const MAIN: [&str; 12] = [
+    "peskin-rk2",
+    "euler",
+    "semi-implicit-euler-no-gyro",
+    "semi-implicit-euler-implicit-gyro",
+    "rk4-quaternion",
+    "buss-augmented",
+    "krysl-liemid",
+    "simo-wong",
+    "implicit-midpoint",
+    "strang-symmetric",
+    "exact-rotor",
+    "moser-veselov-4",
+];
+
 list! {
     any:
     peskin_rk2::PeskinRk2,

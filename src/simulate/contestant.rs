@@ -129,6 +129,13 @@ impl Contestant {
         schemes::visit_all(&Collect)
     }
 
+    /// The main schemes of the list, in the order of [`schemes::MAIN`].
+    pub fn main() -> Vec<Contestant> {
+        let all = Contestant::all();
+        let named = |name: &&str| all.iter().find(|c| c.card.name == *name).cloned();
+        schemes::MAIN.iter().filter_map(named).collect()
+    }
+
     /// Runs and hands every stored state to `store` as it comes: constant memory, however long the run.
     pub fn stream(
         &self,
