@@ -7,7 +7,7 @@
 //! (3)  am u: a₀ = 1, b₀ = k′; aₙ₊₁ = (aₙ + bₙ)/2, bₙ₊₁ = √(aₙ bₙ), cₙ₊₁ = (aₙ − bₙ)/2;
 //!      φ_N = 2ᴺ a_N u, φₙ₋₁ = (φₙ + arcsin(cₙ/aₙ sin φₙ))/2, am u = φ₀; K = π/(2 a_N)
 //!
-//! Source: carlson1995 (duplication), gauss's mean as in abramowitz1964.
+//! Source: carlson1995 (duplication), and Gauss's mean.
 
 use std::f64::consts::FRAC_PI_2;
 

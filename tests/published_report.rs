@@ -22,9 +22,12 @@ fn rulings(records: &Records) -> Rulings {
 fn the_verdicts_of_the_published_report_are_those_that_the_code_gives() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/published/records.json");
     let published = Records::read(&path).expect("a records file");
+    let reported = |c: &Contestant| published.schemes.iter().any(|row| row.name == c.card.name);
+    let contestants: Vec<Contestant> = Contestant::all().into_iter().filter(reported).collect();
+    assert!(contestants.len() >= 2);
     let now = Campaign {
         scenes: scenes::built_in(),
-        contestants: Contestant::main(),
+        contestants,
         baseline: Baseline::built_in(),
         series: false,
         progress: &|_, _| (),
@@ -37,7 +40,7 @@ fn the_verdicts_of_the_published_report_are_those_that_the_code_gives() {
         .filter(|(key, ruling)| now.get(key) != Some(ruling))
         .chain(now.iter().filter(|(key, _)| !published.contains_key(key)))
         .collect();
-    let how = "make it anew with `polhode report --brief --out reports/published`";
+    let how = "make it anew with `polhode report --brief --scheme peskin-rk2 --scheme euler --out reports/published`";
     assert!(differences.is_empty(), "{differences:#?}\n{how}");
     assert!(published.len() > 1000);
 }

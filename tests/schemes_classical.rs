@@ -9,7 +9,7 @@ use polhode::reference::{Reference, dop853, stored};
 use polhode::regression::Ladder;
 use polhode::rotation::{self, Rotation};
 use polhode::scenes::Scene;
-use polhode::simulate::{Contestant, Plan};
+use polhode::simulate::{Contestant, Form, Plan};
 
 /// The schemes of this file with the order that each has.
 const SCHEMES: [(&str, u32); 13] = [
@@ -38,7 +38,7 @@ fn scene(name: &str) -> Scene {
 
 /// The last state of a run over `duration` in `steps` steps.
 fn end_of(contestant: &Contestant, scene: &Scene, duration: f64, steps: u64) -> Snapshot {
-    let trajectory = contestant.run(&scene.system.least(), &Plan::over(duration, steps, 1));
+    let trajectory = contestant.run(&scene.system, Form::Least, &Plan::over(duration, steps, 1));
     assert_eq!(trajectory.outcome.broken, None, "{}", contestant.card.name);
     trajectory.states[trajectory.states.len() - 1]
 }
@@ -165,7 +165,7 @@ fn energy_of_the_heavy_top_over_2000_seconds_stays_bounded_grows_or_falls_as_kno
     ];
     let top = scene("heavy-asymmetric-top");
     for name in SCHEMES.map(|s| s.0).into_iter().chain(["semi-implicit-euler-no-gyro"]) {
-        let trajectory = scheme(name).run(&top.system.least(), &Plan::over(2000.0, 64_000, 4000));
+        let trajectory = scheme(name).run(&top.system, Form::Least, &Plan::over(2000.0, 64_000, 4000));
         let energy = |s: &Snapshot| {
             top.system.rotational_energy(s) + top.system.potential_energy(s).expect("a potential")
         };
@@ -279,8 +279,7 @@ fn l_changes_without_torque_exactly_where_a_scheme_does_not_claim_it() {
             contestant.card.claims.iter().any(|c| {
                 matches!(c, Claim::Exact(Quantity::AngularMomentum, polhode::claim::When::NoTorque))
             });
-        let model = free.system.least();
-        let trajectory = contestant.run(&model, &Plan::over(1.0, 64, 64));
+        let trajectory = contestant.run(&free.system, Form::Least, &Plan::over(1.0, 64, 64));
         let start = trajectory.states[0].angular_momentum;
         let end = trajectory.states[trajectory.states.len() - 1].angular_momentum;
         assert_eq!((end - start).norm() < 1e-12 * start.norm(), claims, "{}", contestant.card.name);
@@ -306,7 +305,7 @@ fn symmetric_schemes_come_back_when_time_runs_backwards() {
         system.start.orientation = there.orientation;
         system.start.angular_momentum = there.angular_momentum;
         system.start.position = there.position;
-        let back = scheme(name).run(&system.least(), &Plan { step: -h, steps, every: steps });
+        let back = scheme(name).run(&system, Form::Least, &Plan { step: -h, steps, every: steps });
         let last = back.states[back.states.len() - 1];
         let missed = rotation::angle_between(&last.orientation, &top.system.start.orientation);
         // 256 steps of rounding, grown by the motion, against h⁵ and more.

@@ -8,7 +8,7 @@ use polhode::reference::stored::{self, Solution};
 use polhode::reference::{Reference, dop853};
 use polhode::rotation::{self, Rotation};
 use polhode::scenes::Scene;
-use polhode::simulate::{Contestant, Plan};
+use polhode::simulate::{Contestant, Form, Plan};
 
 type V = Vector3<f64>;
 
@@ -191,7 +191,7 @@ fn coarse_order(scheme: &str, scene: &Scene, clear: f64) -> f64 {
     let mut errors: Vec<(f64, f64)> = Vec::new();
     for steps in [16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768] {
         let plan = Plan::over(scene.duration, steps, 1);
-        let run = contestant(scheme).run(&scene.system.least(), &plan);
+        let run = contestant(scheme).run(&scene.system, Form::Least, &plan);
         if run.outcome.broken.is_some() {
             continue;
         }
@@ -238,7 +238,7 @@ fn errors_on_the_heavy_top_are_those_measured_outside_this_project() {
         ("moser-veselov", 8.7e-4),
         ("moser-veselov-4", 1.3e-5),
     ] {
-        let run = contestant(scheme).run(&scene.system.least(), &Plan::over(8.0, 1024, 1));
+        let run = contestant(scheme).run(&scene.system, Form::Least, &Plan::over(8.0, 1024, 1));
         let error = (matrix(&run.states[run.states.len() - 1]) - truth).amax();
         println!("{scheme}: {error:.3e}, outside {expected:.1e}");
         assert!((error / expected - 1.0).abs() < 0.1, "{scheme}: {error:e}");
@@ -250,7 +250,7 @@ fn energy_on_the_heavy_top_stays_bounded_over_two_thousand_seconds() {
     let scene = scene("heavy-asymmetric-top");
     let system = &scene.system;
     for scheme in all() {
-        let run = contestant(scheme).run(&system.least(), &Plan::over(2000.0, 64_000, 4000));
+        let run = contestant(scheme).run(&system, Form::Least, &Plan::over(2000.0, 64_000, 4000));
         let energy: Vec<f64> = run
             .states
             .iter()
@@ -271,15 +271,19 @@ fn energy_on_the_heavy_top_stays_bounded_over_two_thousand_seconds() {
 fn a_step_forward_and_a_step_back_return_to_the_start() {
     let scene = scene("tether-springs");
     for scheme in all() {
-        let forward =
-            contestant(scheme).run(&scene.system.least(), &Plan { step: 1.0 / 64.0, steps: 64, every: 64 });
+        let forward = contestant(scheme).run(
+            &scene.system,
+            Form::Least,
+            &Plan { step: 1.0 / 64.0, steps: 64, every: 64 },
+        );
         let last = forward.states[forward.states.len() - 1];
         let mut back = scene.system.clone();
         back.start.position = last.position;
         back.start.velocity = last.velocity;
         back.start.orientation = last.orientation;
         back.start.angular_momentum = last.angular_momentum;
-        let run = contestant(scheme).run(&back.least(), &Plan { step: -1.0 / 64.0, steps: 64, every: 64 });
+        let run =
+            contestant(scheme).run(&back, Form::Least, &Plan { step: -1.0 / 64.0, steps: 64, every: 64 });
         let end = run.states[run.states.len() - 1];
         let apart = rotation::angle_between(&end.orientation, &scene.system.start.orientation);
         println!("{scheme}: back to {apart:.1e} rad");
@@ -303,7 +307,7 @@ fn a_step_of_three_axis_rotations_is_the_product_of_matrices() {
         l = turn.transpose() * l;
     }
     for scheme in ["strang-rotations"] {
-        let run = contestant(scheme).run(&system.least(), &Plan { step: h, steps: 1, every: 1 });
+        let run = contestant(scheme).run(&system, Form::Least, &Plan { step: h, steps: 1, every: 1 });
         let principal = system.body.principal.inverse().to_rotation_matrix().into_inner();
         assert!((matrix(&run.states[1]) - product * principal).amax() < 1e-15);
     }
@@ -315,7 +319,7 @@ fn a_moser_veselov_step_solves_the_matrix_equation() {
     let (moments, attitude, l) = rotor(&system);
     let h = 0.1;
     let AnyModel::Free(_) = system.least() else { panic!("a free body") };
-    let run = contestant("moser-veselov").run(&system.least(), &Plan { step: h, steps: 1, every: 1 });
+    let run = contestant("moser-veselov").run(&system, Form::Least, &Plan { step: h, steps: 1, every: 1 });
     let q = attitude.inverse() * run.states[1].orientation * system.body.principal;
     let f = q.to_rotation_matrix().into_inner();
     let d = Matrix3::from_diagonal(&(V::repeat(moments.sum() / 2.0) - moments));

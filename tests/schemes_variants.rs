@@ -7,7 +7,7 @@ use polhode::metrics::{Place, climb};
 use polhode::model::{Quantity, Snapshot, difference};
 use polhode::reference::{Reference, stored};
 use polhode::scenes::Scene;
-use polhode::simulate::{Contestant, Plan};
+use polhode::simulate::{Contestant, Form, Plan};
 
 const SCENES: [&str; 5] =
     ["heavy-asymmetric-top", "kovalevskaya", "gravity-drag", "tether-springs", "charged-body-in-fields"];
@@ -47,7 +47,7 @@ fn scene(name: &str) -> Scene {
 fn end(scheme: &str, scene: &Scene, steps: u64) -> Snapshot {
     let contestant = contestant(scheme);
     let plan = Plan { step: scene.duration / steps.max(1) as f64, steps, every: steps };
-    let run = contestant.run(&contestant.model(&scene.system), &plan);
+    let run = contestant.run(&scene.system, Form::Least, &plan);
     assert_eq!(run.outcome.broken, None, "{scheme}");
     run.states[run.states.len() - 1]
 }

@@ -35,8 +35,8 @@ const ROTATION_AND_MOMENTUM: &[&str] = &[
 
 const WITHOUT_SPIN: &[&str] = &["orientation-end", "orientation-max", "body-point-end", "body-point-max"];
 
-const NEAR_ROUNDING: &str = "a fourth-order scheme has few steps between its asymptotic range and rounding: the slope of this quantity is \
-     inside the band but its interval ends up to 0.05 outside; the other quantities of the scene hold"; its neighbours measure 4";
+const NEAR_ROUNDING: &str = "a fourth-order scheme has few steps between its asymptotic range and rounding: the slope of this \
+     quantity is inside the band but its interval ends up to 0.05 outside; the other quantities of the scene hold";
 
 /// First-order rules whose error saturates over many turns.
 const FIRST_ORDER: &[&str] = &["euler", "course-notes-euler", "course-code-euler", "substepped-4-euler"];

@@ -19,7 +19,7 @@ splitting! {
         name: "exact-rotor",
         title: "Exact free rotor by elliptic functions, and a kick",
         family: "geometric",
-        source: "vanzon2007, celledoni2008",
+        source: "vanzon2007; celledoni2008",
         claims: &[
             Claim::Order(2),
             Claim::Exact(Quantity::Velocity, When::ConstantForce),

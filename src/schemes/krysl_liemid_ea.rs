@@ -24,7 +24,7 @@ pub struct KryslLiemidEa;
 impl TurningScheme for KryslLiemidEa {
     const CARD: Card = Card {
         name: "krysl-liemid-ea",
-        title: "midpoint Lie algorithm, explicit in the forces (LIEMID[EA])",
+        title: "midpoint Lie algorithm, explicit in the forces, symmetric",
         family: "Lie group",
         source: "krysl2005",
         claims: &[

@@ -29,7 +29,7 @@ splitting! {
         name: "moser-veselov",
         title: "Discrete Moser-Veselov equation and a kick",
         family: "geometric",
-        source: "moser1991, mclachlan2005",
+        source: "moser1991; mclachlan2005",
         claims: &[
             Claim::Order(2),
             Claim::Exact(Quantity::Velocity, When::ConstantForce),

@@ -5,7 +5,7 @@
 //!
 //! ½ Σ l_k²/I_k is taken one term at a time; each alone turns the body evenly about a principal axis.
 //!
-//! Source: dullweber1997, after touma1994 and reich1994. Order 2, symplectic, symmetric; one force evaluation a step.
+//! Source: dullweber1997, after touma1994. Order 2, symplectic, symmetric; one force evaluation a step.
 
 use nalgebra::Vector3;
 

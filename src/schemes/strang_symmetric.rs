@@ -22,7 +22,7 @@ splitting! {
         name: "strang-symmetric",
         title: "Strang splitting into a symmetric top and a rotation",
         family: "geometric",
-        source: "touma1994, fasso2003",
+        source: "touma1994; fasso2003",
         claims: &[
             Claim::Order(2),
             Claim::Exact(Quantity::Velocity, When::ConstantForce),

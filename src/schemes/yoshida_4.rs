@@ -2,7 +2,7 @@
 //!
 //! (1)  γ₁ = 1/(2 − ∛2),  γ₂ = −∛2/(2 − ∛2),  γ₃ = γ₁:   Σ γ = 1,  Σ γ³ = 0
 //!
-//! Source: yoshida1990; found too by creutz1989, forest1990, suzuki1990. Order 4, symplectic, symmetric.
+//! Source: yoshida1990; the triple jump, found by several authors at about that time. Order 4, symplectic, symmetric.
 
 use super::Card;
 use super::composed::{Composed, Composition};

@@ -133,8 +133,8 @@ fn write_orders(sketch: &mut Sketch, records: &Records, palette: &Palette, one: 
     });
     let fits: Vec<_> = fits.collect();
     for (row, (words, face)) in fits.iter().rev().enumerate() {
-        let place = (frame.right - 16.0, frame.bottom - 34.0 - 36.0 * row as f64);
-        sketch.text(words, place, Anchor::End, *face);
+        let place = (frame.left + 16.0, frame.bottom - 34.0 - 36.0 * row as f64);
+        sketch.text(words, place, Anchor::Start, *face);
     }
 }
 

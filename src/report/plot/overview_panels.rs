@@ -23,7 +23,11 @@ const NAME_ROOM: f64 = 540.0;
 /// Scenes and the quantity that stands for each.
 type Shown<'a> = (&'a [&'a str], &'a str);
 
-/// Draws the errors of all scenes against the step: thin lines, a colour a scheme.
+/// More schemes than this would cover one another: their errors are drawn in one scene instead of all.
+const FEW_SCHEMES: usize = 4;
+
+/// Draws the errors against the step, a colour a scheme: thin lines of all scenes where the schemes are few, and
+/// otherwise the first scene under forces.
 pub(super) fn draw_errors(
     sketch: &mut Sketch,
     records: &Records,
@@ -31,6 +35,12 @@ pub(super) fn draw_errors(
     shown: Shown,
     frame: Frame,
 ) {
+    let few = palette.schemes().len() <= FEW_SCHEMES;
+    let under_forces =
+        |scene: &&&str| records.scenes.iter().any(|row| row.name == ***scene && !row.laws.is_empty());
+    let typical = shown.0.iter().find(under_forces).or(shown.0.first()).copied().unwrap_or_default();
+    let one = [typical];
+    let shown: Shown = if few { shown } else { (&one, shown.1) };
     let curves = ladders(records, palette, shown);
     let rungs = || curves.iter().flat_map(|curve| &curve.rungs);
     let (left, right) = bounds(&rungs().map(|rung| rung.step).collect::<Vec<_>>());
@@ -61,7 +71,8 @@ pub(super) fn draw_errors(
     let unit =
         records.orders.iter().find(|row| row.quantity == shown.1).map_or("rad", |row| row.unit.as_str());
     let words = survey::quantity_words(shown.1);
-    panel.title(sketch, &format!("Error in {words} at the end [{unit}], a line a scene"));
+    let which = if few { "a line a scene" } else { typical };
+    panel.title(sketch, &format!("Error in {words} at the end [{unit}], {which}"));
 }
 
 fn ladders<'a>(records: &'a Records, palette: &Palette<'a>, (scenes, quantity): Shown) -> Vec<Curve<'a>> {
