@@ -194,7 +194,7 @@ mod tests {
     #[test]
     fn ladders_that_say_nothing_are_not_given_a_number() {
         assert_eq!(find_window(&ladder(|_| 0.0, 1e-15)), Ladder::Exact);
-        assert_eq!(find_window(&ladder(|h| h * h, 1e-3)), Ladder::TooFew { clear: 4 - 1 });
+        assert_eq!(find_window(&ladder(|h| h * h, 3e-3)), Ladder::TooFew { clear: 3 });
         assert_eq!(find_window(&ladder(|_| f64::NAN, 0.0)), Ladder::Broken);
         assert_eq!(find_window(&[]), Ladder::Broken);
         let noise = ladder(|h| if (h.log2() as i64) % 2 == 0 { h } else { h * 3.0 }, 0.0);

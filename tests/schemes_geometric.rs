@@ -250,7 +250,7 @@ fn energy_on_the_heavy_top_stays_bounded_over_two_thousand_seconds() {
     let scene = scene("heavy-asymmetric-top");
     let system = &scene.system;
     for scheme in all() {
-        let run = contestant(scheme).run(&system, Form::Least, &Plan::over(2000.0, 64_000, 4000));
+        let run = contestant(scheme).run(system, Form::Least, &Plan::over(2000.0, 64_000, 4000));
         let energy: Vec<f64> = run
             .states
             .iter()
@@ -306,11 +306,9 @@ fn a_step_of_three_axis_rotations_is_the_product_of_matrices() {
         product *= turn;
         l = turn.transpose() * l;
     }
-    for scheme in ["strang-rotations"] {
-        let run = contestant(scheme).run(&system, Form::Least, &Plan { step: h, steps: 1, every: 1 });
-        let principal = system.body.principal.inverse().to_rotation_matrix().into_inner();
-        assert!((matrix(&run.states[1]) - product * principal).amax() < 1e-15);
-    }
+    let run = contestant("strang-rotations").run(&system, Form::Least, &Plan { step: h, steps: 1, every: 1 });
+    let principal = system.body.principal.inverse().to_rotation_matrix().into_inner();
+    assert!((matrix(&run.states[1]) - product * principal).amax() < 1e-15);
 }
 
 #[test]

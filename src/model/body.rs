@@ -163,7 +163,8 @@ impl Body {
         if !(mass > 0.0 && mass.is_finite()) {
             return Err(BodyError::Mass { index: 0, mass });
         }
-        let (moments, axes) = principal_axes(&symmetric(&inertia)?);
+        let inertia = symmetric(&inertia)?;
+        let (moments, axes) = principal_axes(&inertia);
         check_moments(&moments, unphysical)?;
         let origin = pivot.unwrap_or_else(Vector3::zeros);
         let points = fewest_points(mass, &moments, &axes, &origin);
@@ -181,7 +182,8 @@ impl Body {
         points: Vec<MassPoint>,
     ) -> Result<Body, BodyError> {
         let out_of_range = |x: f64| !x.is_finite() || (x != 0.0 && x.abs() < f64::MIN_POSITIVE);
-        if !mass.is_finite() || inertia.iter().any(|x| out_of_range(*x)) {
+        let vanished = shape != Shape::Point && inertia.amax() == 0.0;
+        if !mass.is_finite() || vanished || inertia.iter().any(|x| out_of_range(*x)) {
             return Err(BodyError::Range);
         }
         let (mut moments, principal) = principal_axes(&inertia);

@@ -27,7 +27,7 @@ pub enum SceneError {
     },
     /// No built-in scene has this name.
     #[error(
-        "no scene is called '{name}'{}; `polhode list scenes` shows all, and the path of a scene file has a '/' or ends in .toml",
+        "no scene is called '{name}'{}. `polhode list scenes` shows all, and the path of a scene file has a '/' or ends in .toml",
         meant(near)
     )]
     Unknown {
@@ -43,5 +43,5 @@ fn prefix(key: &str) -> String {
 }
 
 fn meant(near: &[&str]) -> String {
-    if near.is_empty() { String::new() } else { format!(": did you mean {}?", near.join(" or ")) }
+    if near.is_empty() { String::new() } else { format!(" (did you mean {}?)", near.join(" or ")) }
 }

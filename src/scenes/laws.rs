@@ -12,11 +12,7 @@ use crate::model::forces::{
 
 /// Reads one law. `origin` is the origin of the body in the frame of its points [m].
 pub(super) fn read(entry: &Value, origin: &Vector3<f64>) -> Result<Law, SceneError> {
-    let Some(name) = entry.member("law") else {
-        // Opening it says what else may be wrong: a value that is no table, or no law in it.
-        entry.table(&["law"])?.required("law")?;
-        return Err(entry.expected("a table with a law"));
-    };
+    let Some(name) = entry.member("law") else { return Err(entry.lacks("law")) };
     Ok(match name.text()? {
         "gravity" => Law::Gravity(gravity(entry)?),
         "spring" => Law::Spring(spring(entry, origin)?),

@@ -176,6 +176,17 @@ impl<'t> Value<'t> {
         }
     }
 
+    /// Says that the table that should stand here lacks a key.
+    pub fn lacks(&self, key: &str) -> SceneError {
+        match self.value.get_ref() {
+            DeValue::Table(_) => {
+                let message = format!("is missing: write {}", wording::example(key));
+                self.document.refuse(self.value.span().start, &format!("{}.{key}", self.path), message)
+            }
+            _ => self.expected("a table"),
+        }
+    }
+
     /// A value of the table that stands here, whatever other keys it has.
     pub fn member(&self, key: &str) -> Option<Value<'t>> {
         match self.value.get_ref() {

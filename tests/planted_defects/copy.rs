@@ -207,6 +207,7 @@ impl<'a> Copy<'a> {
         };
         let cloud = Cloud {
             arms: &state.arms,
+            levers: &state.arms,
             masses: &self.masses,
             origin,
             velocity,

@@ -29,8 +29,9 @@ fn all_built_in_scenes_are_read_and_say_why() {
 fn scenes_that_carry_no_order_give_their_reason() {
     for name in [
         "dzhanibekov",
-        "exact-separatrix",
         "mujoco-middle-axis",
+        "free-rod",
+        "slow-sphere",
         "osrf-boxes-complex",
         "jsbsim-rotations",
         "bouncing-body",
