@@ -288,3 +288,25 @@ fn an_interrupted_report_leaves_what_was_measured_readable() {
     let records: Value = serde_json::from_str(&text).expect("JSON");
     assert_eq!(records["complete"], false);
 }
+
+#[test]
+fn a_comparison_is_1_where_the_second_is_worse_and_0_where_it_is_not() {
+    let compare = |a: &str, b: &str| polhode(&["compare", a, b, "--quiet", "--scene", "kovalevskaya"]);
+    assert_eq!(code(&compare("peskin-rk2", "euler")), 1);
+    let output = compare("euler", "peskin-rk2");
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    assert!(String::from_utf8_lossy(&output.stdout).contains("0 worse"));
+    assert_eq!(code(&compare("euler", "no-such-scheme")), 64);
+    let folder = scratch();
+    let records = folder.path().join("records.json");
+    let records = records.to_string_lossy();
+    let scene = ["--scene", "kovalevskaya", "--scheme", "peskin-rk2"];
+    assert_eq!(code(&polhode(&[&["gate", "--quiet", "--json", &records], &scene[..]].concat())), 0);
+    assert_eq!(code(&polhode(&["compare", &records, &records])), 0);
+    assert_eq!(code(&polhode(&["compare", &records, "euler"])), 64);
+}
+
+#[test]
+fn an_engine_that_cannot_be_run_is_69() {
+    assert_eq!(code(&polhode(&["gate", "--scheme", "engine:true"])), 69);
+}

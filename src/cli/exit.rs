@@ -9,6 +9,8 @@ use crate::scenes::SceneError;
 pub(super) const USAGE: u8 = 64;
 /// Bad input: scene, records or log file.
 const BAD_INPUT: u8 = 65;
+/// An engine could not be run.
+const ENGINE: u8 = 69;
 /// A file could not be read or written.
 const FILE: u8 = 74;
 /// Ended by Ctrl-C, as shells count it.
@@ -37,6 +39,9 @@ pub enum Failure {
         /// What the system said.
         source: std::io::Error,
     },
+    /// An engine that cannot be run.
+    #[error("{0}")]
+    Engine(String),
     /// A scene that has no point form, asked for one.
     #[error("{0}")]
     Model(String),
@@ -46,6 +51,7 @@ impl Failure {
     /// The exit code.
     pub fn code(&self) -> u8 {
         match self {
+            Failure::Engine(_) => ENGINE,
             Failure::Usage(_) | Failure::Scene(SceneError::Unknown { .. }) => USAGE,
             Failure::Scene(SceneError::Unreadable { .. }) => FILE,
             Failure::Scene(_) | Failure::Record(RecordError::Format { .. }) | Failure::Model(_) => BAD_INPUT,

@@ -11,6 +11,8 @@ use crate::campaign::Campaign;
 use crate::gates::{self, Baseline};
 use crate::record::{self, Records};
 use crate::report;
+use crate::scenes::Scene;
+use crate::simulate::Contestant;
 
 /// Options of `polhode gate`.
 #[derive(Args, Clone, Debug, Default)]
@@ -72,7 +74,17 @@ pub(super) fn measure(
     series: bool,
     quiet: bool,
 ) -> Result<Records, Failure> {
-    let (scenes, contestants) = (selection.scenes()?, selection.contestants(full)?);
+    Ok(measure_with(selection.scenes()?, selection.contestants(full)?, baseline, series, quiet))
+}
+
+/// Measures and judges a grid, with a progress bar on stderr.
+pub(super) fn measure_with(
+    scenes: Vec<Scene>,
+    contestants: Vec<Contestant>,
+    baseline: Baseline,
+    series: bool,
+    quiet: bool,
+) -> Records {
     let bar = progress_bar(quiet, "measuring");
     let progress = |done: usize, all: usize| {
         bar.set_length(all as u64);
@@ -80,7 +92,7 @@ pub(super) fn measure(
     };
     let records = Campaign { scenes, contestants, baseline, series, progress: &progress }.run();
     bar.finish_and_clear();
-    Ok(records)
+    records
 }
 
 /// A bar on stderr with the time left; nothing where stderr is no terminal.

@@ -1,5 +1,6 @@
 //! The command line: one file a subcommand. Data goes to stdout, talk and progress to stderr.
 
+mod compare;
 mod exit;
 mod gate;
 mod list;
@@ -51,6 +52,8 @@ enum Command {
     Report(report::Options),
     /// Judge every claim; the exit code says whether all hold
     Gate(gate::Options),
+    /// Two schemes, or two records files, side by side; exit code 1 where the second is worse
+    Compare(compare::Options),
     /// Run one scheme in one scene and write its states
     Run(run::Options),
     /// List what there is
@@ -89,6 +92,7 @@ fn dispatch(arguments: Arguments) -> Result<u8, Failure> {
     let code = match arguments.command.unwrap_or(Command::Report(report::Options::default())) {
         Command::Report(options) => report::report(&options, everywhere.quiet),
         Command::Gate(options) => gate::gate(&options, everywhere.quiet),
+        Command::Compare(options) => compare::compare(&options, everywhere.quiet),
         Command::Run(options) => run::run(&options),
         Command::List(options) => list::list(&options),
     }?;

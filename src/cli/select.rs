@@ -18,6 +18,11 @@ pub(super) struct Selection {
 }
 
 impl Selection {
+    /// Scenes of these names, and the main schemes.
+    pub(super) fn of_scenes(scenes: Vec<String>) -> Selection {
+        Selection { schemes: Vec::new(), scenes }
+    }
+
     /// The schemes that were named, all where `full`, or the main ones.
     pub(super) fn contestants(&self, full: bool) -> Result<Vec<Contestant>, Failure> {
         if self.schemes.is_empty() && !full {
@@ -43,8 +48,8 @@ pub(super) fn contestant(name: &str) -> Result<Contestant, Failure> {
     let names: Vec<&str> = all.iter().map(|contestant| contestant.card.name).collect();
     let known = names.join(", ");
     if name.starts_with("engine:") {
-        return Err(Failure::Usage(format!(
-            "{name}: foreign engines are not part of this version; schemes: {known}"
+        return Err(Failure::Engine(format!(
+            "{name}: this version runs no foreign engines; schemes: {known}"
         )));
     }
     match all.iter().find(|contestant| contestant.card.name == name) {
