@@ -102,7 +102,6 @@ impl Model for Forced {
         let (spin, axes) = self.spin(state);
         let pose = Pose { axes, origin: state.position, velocity: state.velocity, spin };
         let load = self.forces.load(t, &pose);
-        self.rotational.check_rod(&axes, &state.momentum, &load.torque)?;
         Ok(Motion {
             spin,
             velocity: state.velocity,

@@ -44,16 +44,6 @@ pub enum Broken {
     /// A state holds NaN or infinity.
     #[error("the state is no longer finite")]
     NotFinite,
-    /// The angular momentum of a rod has a part along it, which no spin carries.
-    #[error(
-        "the angular momentum of a rod has a part of {along:e} kg m²/s along the rod, |L| = {length:e}: no spin carries it"
-    )]
-    AlongRod {
-        /// Part along the rod [kg m²/s].
-        along: f64,
-        /// |L| [kg m²/s].
-        length: f64,
-    },
     /// The mass points of a body that has none were asked for.
     #[error("no positive masses have this body's inertia: it has no point form")]
     NoPointForm,

@@ -85,7 +85,6 @@ impl Model for Rotor {
             None => (self.start.position + self.start.velocity * t, self.start.velocity),
         };
         let load = self.forces.load(t, &Pose { axes, origin, velocity, spin });
-        self.rotational.check_rod(&axes, &state.momentum, &load.torque)?;
         Ok(RotorRates { spin, torque: load.torque })
     }
 

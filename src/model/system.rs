@@ -1,11 +1,11 @@
 //! A body, its forces and its start: what a scene says, checked and ready to be stepped.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
 use super::body::{Body, Shape};
-use super::forces::{Attachment, Forces, Law, PerPoint};
+use super::forces::{Attachment, Forces, Law, PerPoint, TorqueAxes};
 use super::placed::Placed;
-use super::{Broken, Falling, Forced, Free, PointCloud, Rotor, Snapshot};
+use super::{Falling, Forced, Free, PointCloud, Rotor, Snapshot};
 use crate::rotation::{self, Rotation};
 
 /// How the initial rotation is given.
@@ -42,6 +42,17 @@ pub enum SystemError {
         along: f64,
         /// |L| [kg m²/s].
         length: f64,
+    },
+    /// A torque about a rod.
+    #[error(
+        "the body is a rod and law '{law}' turns it about itself, which no spin can follow; write a torque in body \
+         axes across the rod, or a moment along it"
+    )]
+    TorqueAlongRod {
+        /// Index of the law.
+        index: usize,
+        /// Name of the law.
+        law: &'static str,
     },
     /// L of a single point.
     #[error(
@@ -139,8 +150,6 @@ pub struct Rotational {
     pub attitude: Rotation,
     /// Takes body axes to principal axes.
     body_to_principal: Rotation,
-    /// For a rod: its direction in principal axes, and its moment [kg m²].
-    rod: Option<(Vector3<f64>, f64)>,
 }
 
 impl Rotational {
@@ -153,24 +162,9 @@ impl Rotational {
     pub fn orientation(&self, attitude: &Rotation) -> Rotation {
         attitude * self.body_to_principal
     }
-
-    /// Fires where the L of a rod has gained a part along the rod. The part is compared with √(|L|² + s |τ|),
-    /// which stays large where |L| passes through zero.
-    pub fn check_rod(
-        &self,
-        axes: &Matrix3<f64>,
-        momentum: &Vector3<f64>,
-        torque: &Vector3<f64>,
-    ) -> Result<(), Broken> {
-        let Some((direction, moment)) = &self.rod else { return Ok(()) };
-        let along = (axes * direction).dot(momentum);
-        let length = rotation::length(momentum);
-        let scale = length.hypot((moment * rotation::length(torque)).sqrt());
-        if along.abs() > ALONG_ROD * scale { Err(Broken::AlongRod { along, length }) } else { Ok(()) }
-    }
 }
 
-/// Part of L along a rod, over its length, that may still be rounding: √n u after n = 1e14 steps.
+/// Part along a rod, over the whole, that may still be rounding of what was given.
 const ALONG_ROD: f64 = 1e-9;
 
 impl System {
@@ -343,16 +337,11 @@ impl System {
 
     fn rotational(&self) -> Rotational {
         let body_to_principal = self.body.principal.inverse();
-        let rod = match self.body.shape {
-            Shape::Rod { direction } => Some((body_to_principal * direction, self.body.moments.max())),
-            Shape::Point | Shape::Extended => None,
-        };
         Rotational {
             moments: self.body.moments,
             inverse_moments: self.body.inverse_moments(),
             attitude: self.start.orientation * self.body.principal,
             body_to_principal,
-            rod,
         }
     }
 }
@@ -375,6 +364,11 @@ fn check_momentum(body: &Body, orientation: &Rotation, momentum: &Vector3<f64>) 
 
 fn check_law(index: usize, law: &Law, body: &Body) -> Result<(), SystemError> {
     let points = body.points.len();
+    if let Shape::Rod { direction } = body.shape
+        && turns_about(law, &direction)
+    {
+        return Err(SystemError::TorqueAlongRod { index, law: law.name() });
+    }
     if law.needs_points() && points == 0 {
         return Err(SystemError::NoPoints { index, law: law.name() });
     }
@@ -395,4 +389,20 @@ fn check_law(index: usize, law: &Law, body: &Body) -> Result<(), SystemError> {
         return Err(SystemError::PointIndex { index, point, points });
     }
     Ok(())
+}
+
+/// Whether a law has a torque about a rod: one that is fixed in the world while the rod turns, one with a part along
+/// the rod, or that of a moment with a part across it. Forces on points and gravity-gradient torques have none.
+fn turns_about(law: &Law, direction: &Vector3<f64>) -> bool {
+    match law {
+        Law::Torque(torque) => [torque.constant, torque.cosine, torque.sine].iter().any(|amplitude| {
+            let along = amplitude.dot(direction).abs() > ALONG_ROD * rotation::length(amplitude);
+            along || (torque.axes == TorqueAxes::World && amplitude.amax() > 0.0)
+        }),
+        Law::Dipole(dipole) => {
+            let across = rotation::length(&dipole.moment.cross(direction));
+            across > ALONG_ROD * rotation::length(&dipole.moment)
+        }
+        _ => false,
+    }
 }
