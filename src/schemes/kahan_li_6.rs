@@ -31,7 +31,6 @@ impl Composition for NineSteps {
             Claim::Exact(Quantity::Position, When::ConstantForce),
             Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
             Claim::VerticalMomentum,
-            Claim::FlipTimes,
             Claim::Rigid,
             Claim::Evaluations(9),
         ],

@@ -31,7 +31,6 @@ impl Composition for SeventeenSteps {
             Claim::Exact(Quantity::Position, When::ConstantForce),
             Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
             Claim::VerticalMomentum,
-            Claim::FlipTimes,
             Claim::Rigid,
             Claim::Evaluations(17),
         ],

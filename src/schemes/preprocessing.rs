@@ -96,7 +96,6 @@ macro_rules! preprocessed_scheme {
                     Claim::Exact(Quantity::Position, When::ConstantForce),
                     Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
                     Claim::VerticalMomentum,
-                    Claim::FlipTimes,
                     Claim::Rigid,
                     Claim::Evaluations(1),
                 ],
