@@ -164,6 +164,9 @@ pub fn climb(
         giant_steps: Vec::new(),
     };
     let mut before = Vec::new();
+    let mut earlier: Vec<Vec<QuantityLadder>> = Vec::new();
+    // Rungs of one halving of h.
+    let halving = if order < HIGH_ORDER { 1 } else { 2 };
     for index in 0..MOST_RUNGS {
         let steps = steps_of_rung(first, index, order);
         if steps > MOST_STEPS && index >= FEWEST_RUNGS {
@@ -174,12 +177,15 @@ pub fn climb(
         evidence.rungs.push(rung);
         before = states;
         if index + 1 >= FEWEST_RUNGS {
-            let last = std::mem::replace(&mut evidence.ladders, ladders(&evidence.rungs, order));
+            evidence.ladders = ladders(&evidence.rungs, order);
+            let last = earlier.len().checked_sub(halving).map(|index| &earlier[index]);
+            let of_last = |index: usize| last.and_then(|ladders| ladders.get(index));
             let mut pairs = evidence.ladders.iter().enumerate();
             // A scheme that claims no order has none to settle.
-            if !settle || order == 0 || pairs.all(|(index, ladder)| settled(ladder, last.get(index), order)) {
+            if !settle || order == 0 || pairs.all(|(index, ladder)| settled(ladder, of_last(index), order)) {
                 break;
             }
+            earlier.push(evidence.ladders.clone());
         }
     }
     if system.steady_spin() {
@@ -196,13 +202,16 @@ fn steps_of_rung(first: u64, index: usize, order: u32) -> u64 {
     (if index.is_multiple_of(2) { first } else { first / 2 * 3 }) << (index / 2)
 }
 
-/// Whether a finer rung would change nothing: the order holds, the error is at its floor, or the last rung has
-/// left the slope where it was.
+/// Whether a finer rung would change nothing: the order holds, the error is at its floor, or the last halving of h has
+/// left the slope where it was, outside the band. (What a slope still has to go is about what the last halving changed,
+/// where the next term of the error is one power of h higher.)
 fn settled(ladder: &QuantityLadder, last: Option<&QuantityLadder>, order: u32) -> bool {
     let at_floor = ladder.rungs.last().is_some_and(|(_, e, floor)| *e <= 10.0 * floor);
     let before = last.and_then(QuantityLadder::fit);
-    let stands =
-        ladder.fit().zip(before).is_some_and(|(now, before)| (now.slope - before.slope).abs() < STANDS);
+    let stands = ladder.fit().zip(before).is_some_and(|(now, before)| {
+        let outside = (now.slope - f64::from(order)).abs() > BAND;
+        outside && (now.slope - before.slope).abs() < STANDS
+    });
     at_floor || stands || ladder.holds(order)
 }
 
