@@ -16,6 +16,8 @@ pub enum When {
     NoTorque,
     /// No torque, and Ω constant: a sphere, a rod, a spin about a principal axis.
     SteadySpin,
+    /// No torque, and two principal moments equal.
+    SymmetricBody,
 }
 
 impl When {
@@ -25,6 +27,7 @@ impl When {
             When::ConstantForce => "under a constant force",
             When::NoTorque => "without torque",
             When::SteadySpin => "in a steady spin (sphere, rod, principal axis)",
+            When::SymmetricBody => "for a free symmetric body",
         }
     }
 }
@@ -37,6 +40,17 @@ pub enum EnergyOfFreeBody {
         /// Order in h of dE/dt.
         rate_order: u32,
     },
+    /// Grows or falls, depending on the body, at a rate of this order in the step.
+    Secular {
+        /// Order in h of dE/dt.
+        rate_order: u32,
+    },
+    /// Oscillates, without a secular part.
+    Bounded,
+    /// Stays, but for rounding.
+    Constant,
+    /// Falls, towards L²/(2 I_max), or stays where the spin is steady.
+    Falls,
 }
 
 /// A promise.
@@ -57,8 +71,16 @@ pub enum Claim {
     FlipTimes,
     /// Distances between points of the body change by rounding only.
     Rigid,
+    /// A run with −h from where a run with h ended returns to its start.
+    Reversible,
+    /// One step leaves the canonical two-form where it was.
+    Symplectic,
+    /// Turned, mirrored, shifted and boosted worlds and other units give the same motion.
+    Equivariant,
     /// This many evaluations of the forces a step, exactly.
     Evaluations(u32),
+    /// This many implicit equations are solved a step, exactly.
+    Solves(u32),
 }
 
 impl Claim {
@@ -72,7 +94,11 @@ impl Claim {
             Claim::VerticalMomentum => "vertical-momentum",
             Claim::FlipTimes => "flip-times",
             Claim::Rigid => "rigid",
+            Claim::Reversible => "reversible",
+            Claim::Symplectic => "symplectic",
+            Claim::Equivariant => "equivariant",
             Claim::Evaluations(_) => "evaluations",
+            Claim::Solves(_) => "solves",
         }
     }
 }
@@ -83,14 +109,34 @@ impl fmt::Display for Claim {
             Claim::Order(order) => write!(f, "order {order} in every quantity, constants as recorded"),
             Claim::OrderWithoutTorque(order) => write!(f, "order {order} without torque"),
             Claim::Exact(quantity, when) => write!(f, "{} exact {}", quantity.name(), when.words()),
-            Claim::Energy(EnergyOfFreeBody::GrowsSecularly { rate_order }) => {
-                let power = if *rate_order == 1 { "h".to_owned() } else { format!("h^{rate_order}") };
-                write!(f, "energy of a free body grows at a rate ∝ {power}, never past L²/(2 I_min)")
-            }
+            Claim::Energy(energy) => write!(f, "energy of a free body {energy}"),
             Claim::VerticalMomentum => write!(f, "L·g of a top on a pivot exact"),
             Claim::FlipTimes => write!(f, "flips of a tumbling body at their exact times as h → 0"),
             Claim::Rigid => write!(f, "rigid to rounding"),
+            Claim::Reversible => write!(f, "reversible: back to the start with −h"),
+            Claim::Symplectic => write!(f, "symplectic"),
+            Claim::Equivariant => {
+                write!(f, "the same in turned, mirrored, shifted, boosted worlds and other units")
+            }
             Claim::Evaluations(count) => write!(f, "{count} force evaluations a step"),
+            Claim::Solves(count) => write!(f, "{count} implicit equations solved a step"),
+        }
+    }
+}
+
+impl fmt::Display for EnergyOfFreeBody {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let power = |order: u32| if order == 1 { "h".to_owned() } else { format!("h^{order}") };
+        match self {
+            EnergyOfFreeBody::GrowsSecularly { rate_order } => {
+                write!(f, "grows at a rate ∝ {}, never past L²/(2 I_min)", power(*rate_order))
+            }
+            EnergyOfFreeBody::Secular { rate_order } => {
+                write!(f, "grows or falls at a rate ∝ {}", power(*rate_order))
+            }
+            EnergyOfFreeBody::Bounded => write!(f, "oscillates without drift"),
+            EnergyOfFreeBody::Constant => write!(f, "constant to rounding"),
+            EnergyOfFreeBody::Falls => write!(f, "falls towards L²/(2 I_max)"),
         }
     }
 }

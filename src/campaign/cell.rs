@@ -55,6 +55,17 @@ pub(super) fn measure(
         .then(|| true_flips(scene, fastest))
         .flatten()
         .and_then(|truth| metrics::flips(contestant, system, scene.duration, fastest, truth));
+    let claims = |claim: Claim| contestant.card.claims.contains(&claim);
+    let reversal =
+        claims(Claim::Reversible).then(|| metrics::reversal(contestant, system, &evidence.rungs)).flatten();
+    let symplecticity = claims(Claim::Symplectic)
+        .then(|| metrics::symplecticity(contestant, system, &evidence.rungs))
+        .flatten();
+    let other_worlds = if claims(Claim::Equivariant) {
+        metrics::other_worlds(contestant, system, &evidence.rungs)
+    } else {
+        Vec::new()
+    };
     let case = Case {
         scene: &scene.name,
         not_for_order: scene.not_for_order.as_deref(),
@@ -64,6 +75,9 @@ pub(super) fn measure(
         drift: drift.as_ref(),
         points: points.as_ref(),
         flips: flips.as_ref(),
+        reversal: reversal.as_ref(),
+        symplecticity: symplecticity.as_ref(),
+        other_worlds: &other_worlds,
         baseline,
     };
     let verdicts = gates::judge(&case);

@@ -1,4 +1,5 @@
-//! The energy gate of a free body: the order in h of the secular rate, its sign, and the bound L²/(2 I_min).
+//! The energy gate of a free body: the order in h of the secular rate, its sign, and the bounds that L allows; or no secular rate
+//! at all.
 
 use super::{Case, at_most, ruled};
 use crate::claim::EnergyOfFreeBody;
@@ -6,22 +7,64 @@ use crate::metrics::{BAND, Class, EnergyDrift};
 use crate::record::{Ruling, Verdict};
 
 pub(super) fn judge(case: &Case, claim: EnergyOfFreeBody) -> Vec<Verdict> {
-    let EnergyOfFreeBody::GrowsSecularly { rate_order } = claim;
     let Some(drift) = case.drift else {
-        let detail =
-            "the body is not free of torque, does not turn, or is too near the separatrix for many periods";
+        let detail = "the body is not free of torque, does not turn, is too near the separatrix for many periods, or a run broke";
         return vec![ruled(case, "energy", "rotational-energy", Ruling::NotApplicable, detail)];
     };
+    match claim {
+        EnergyOfFreeBody::GrowsSecularly { rate_order } => {
+            vec![judge_rate(case, drift, rate_order, true), judge_bound(case, drift)]
+        }
+        EnergyOfFreeBody::Secular { rate_order } => vec![judge_rate(case, drift, rate_order, false)],
+        EnergyOfFreeBody::Bounded => vec![judge_class(case, drift, &[Class::Bounded, Class::Exact])],
+        EnergyOfFreeBody::Constant => vec![judge_class(case, drift, &[Class::Exact])],
+        EnergyOfFreeBody::Falls => vec![judge_fall(case, drift)],
+    }
+}
+
+/// With L exact the energy cannot pass L²/(2 I_min).
+fn judge_bound(case: &Case, drift: &EnergyDrift) -> Verdict {
     let most = drift.rungs.iter().map(|r| r.of_largest).fold(0.0, f64::max);
     let rounding = drift.rungs.iter().map(|r| r.rounding).fold(0.0, f64::max);
     let detail = format!("largest E over L²/(2 I_min), the most that L allows: 1 {:+.2e}", most - 1.0);
-    vec![
-        judge_rate(case, drift, rate_order),
-        at_most(case, "energy", "rotational-energy-bound", most, 1.0 + rounding, detail),
-    ]
+    at_most(case, "energy", "rotational-energy-bound", most, 1.0 + rounding, detail)
 }
 
-fn judge_rate(case: &Case, drift: &EnergyDrift, rate_order: u32) -> Verdict {
+/// One of the classes that the claim allows.
+fn judge_class(case: &Case, drift: &EnergyDrift, allowed: &[Class]) -> Verdict {
+    let shown = &drift.rungs[drift.shown];
+    let verdict = match drift.class {
+        class if allowed.contains(&class) => Ruling::Pass,
+        Class::Undecided => Ruling::Inconclusive,
+        _ => Ruling::Fail,
+    };
+    Verdict {
+        measured: Some(shown.level),
+        ..ruled(
+            case,
+            "energy",
+            "rotational-energy-drift",
+            verdict,
+            format!(
+                "{}: largest change {:.2e} of E, rate {:.2e} ± {:.1e} 1/s, at h = {:.3e} s",
+                drift.class.word(),
+                shown.level,
+                shown.rate,
+                shown.uncertainty,
+                shown.step
+            ),
+        )
+    }
+}
+
+/// No run gains energy, but for rounding.
+fn judge_fall(case: &Case, drift: &EnergyDrift) -> Verdict {
+    let gain = drift.rungs.iter().map(|rung| rung.gain / rung.rounding).fold(0.0, f64::max);
+    let detail = format!("largest gain of E over the start, in roundings of the run: {gain:.2}; at most 10");
+    at_most(case, "energy", "rotational-energy-gain", gain, 10.0, detail)
+}
+
+fn judge_rate(case: &Case, drift: &EnergyDrift, rate_order: u32, grows: bool) -> Verdict {
     let name = "rotational-energy-rate";
     let shown = &drift.rungs[drift.shown];
     let rate = format!("rate {:.3e} 1/s at h = {:.3e} s", shown.rate, shown.step);
@@ -32,7 +75,7 @@ fn judge_rate(case: &Case, drift: &EnergyDrift, rate_order: u32) -> Verdict {
         }
         (Class::Secular, Some(fit)) => {
             let (bottom, top) = (f64::from(rate_order) - BAND, f64::from(rate_order) + BAND);
-            let verdict = if shown.rate <= 0.0 || fit.slope < bottom || fit.slope > top {
+            let verdict = if (grows && shown.rate <= 0.0) || fit.slope < bottom || fit.slope > top {
                 Ruling::Fail
             } else if fit.low < bottom || fit.high > top {
                 Ruling::Inconclusive

@@ -4,17 +4,21 @@
 
 mod deviations;
 mod energy;
+mod equivariant;
 mod evaluations;
 mod exact;
 mod flip_times;
 mod order;
 mod reduction;
 mod reference;
+mod reversible;
 mod rigid;
+mod solves;
+mod symplectic;
 mod vertical_momentum;
 
 use crate::claim::{Claim, Quantity, When};
-use crate::metrics::{EnergyDrift, Evidence, Flips, PointRun};
+use crate::metrics::{EnergyDrift, Evidence, Flips, OtherWorld, PointRun, Reversal, Symplecticity};
 use crate::model::System;
 use crate::record::{Records, Ruling, Verdict};
 use crate::schemes::Card;
@@ -39,6 +43,12 @@ pub struct Case<'a> {
     pub points: Option<&'a PointRun>,
     /// Flips of a tumbling body.
     pub flips: Option<&'a Flips>,
+    /// A run there and back.
+    pub reversal: Option<&'a Reversal>,
+    /// The derivative of a step.
+    pub symplecticity: Option<&'a Symplecticity>,
+    /// The same run in other worlds.
+    pub other_worlds: &'a [OtherWorld],
     /// Error constants on record.
     pub baseline: &'a Baseline,
 }
@@ -90,7 +100,11 @@ pub fn judge(case: &Case) -> Vec<Verdict> {
             Claim::VerticalMomentum => verdicts.extend(vertical_momentum::judge(case)),
             Claim::FlipTimes => verdicts.extend(flip_times::judge(case)),
             Claim::Rigid => verdicts.extend(rigid::judge(case)),
+            Claim::Reversible => verdicts.push(reversible::judge(case)),
+            Claim::Symplectic => verdicts.push(symplectic::judge(case)),
+            Claim::Equivariant => verdicts.extend(equivariant::judge(case)),
             Claim::Evaluations(count) => verdicts.extend(evaluations::judge(case, count)),
+            Claim::Solves(count) => verdicts.push(solves::judge(case, count)),
         }
     }
     verdicts.extend(reduction::judge(case));
@@ -140,6 +154,7 @@ fn applies(system: &System, when: When) -> bool {
         When::ConstantForce => constant_force,
         When::NoTorque => system.torque_free(),
         When::SteadySpin => system.steady_spin(),
+        When::SymmetricBody => system.torque_free() && system.body.symmetric(),
     }
 }
 

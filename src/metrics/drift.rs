@@ -73,6 +73,8 @@ pub struct EnergyRung {
     pub uncertainty: f64,
     /// Largest |E − E₀|/E₀.
     pub level: f64,
+    /// Largest (E − E₀)/E₀.
+    pub gain: f64,
     /// Largest E over L²/(2 I_min), the most that L allows.
     pub of_largest: f64,
     /// Rounding of E after this many steps, relative.
@@ -150,6 +152,7 @@ fn run_rung(contestant: &Contestant, rotor: &System, long: f64, steps: u64) -> O
         rate,
         uncertainty: (early - late).abs(),
         level: change.iter().map(|c| c.abs()).fold(0.0, super::larger),
+        gain: change.iter().copied().fold(0.0, super::larger),
         of_largest: energy.iter().copied().fold(0.0, super::larger) / most,
         rounding: if rotor.steady_spin() {
             4.0 * f64::EPSILON * steps as f64

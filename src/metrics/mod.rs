@@ -6,19 +6,25 @@
 mod drift;
 mod energy;
 mod flips;
+mod invariance;
 mod invariants;
 mod ladder;
 mod momentum;
 mod points;
+mod reversal;
 mod rigidity;
+mod symplecticity;
 
 use crate::model::{Quantity, Snapshot, System, difference};
 use crate::reference::Reference;
 
 pub use drift::{Class, EnergyDrift, EnergyRung, energy_drift};
 pub use flips::{FlipFinder, FlipRung, Flips, flips, tumbling_axis};
+pub use invariance::{OtherWorld, other_worlds};
 pub use ladder::{BAND, Evidence, Place, QuantityLadder, Rung, climb};
 pub use points::{PointRun, point_run};
+pub use reversal::{Reversal, reversal};
+pub use symplecticity::{Symplecticity, symplecticity};
 
 /// A run and its reference at the same times.
 pub struct Sight<'a> {
@@ -57,6 +63,9 @@ impl Metric {
     }
 }
 
+/// Error of a run that follows the truth, over the body's size.
+const FOLLOWS: f64 = 0.1;
+
 /// The metrics beside the six errors of [`Quantity`].
 pub const ALL: [Metric; 8] = [
     momentum::MAGNITUDE,
@@ -91,6 +100,14 @@ pub fn describe(quantity: Quantity) -> &'static str {
         Quantity::AngularMomentum => "length of the difference of L",
         Quantity::BodyPoint => "largest distance of a body point from its place in the reference",
     }
+}
+
+/// The coarsest run of a ladder that follows the truth, to a tenth of the body's size: coarser ones may be unstable and
+/// amplify every rounding.
+fn steady_rung<'a>(system: &System, rungs: &'a [Rung]) -> Option<&'a Rung> {
+    let extent = system.body.extent();
+    let point = Quantity::ALL.iter().position(|q| *q == Quantity::BodyPoint)?;
+    rungs.iter().find(|rung| rung.errors[point].max <= FOLLOWS * extent)
 }
 
 /// The larger of two numbers; NaN if either is, where `f64::max` would hide it.

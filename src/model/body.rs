@@ -212,6 +212,12 @@ impl Body {
         axes * Matrix3::from_diagonal(&self.inverse_moments()) * axes.transpose()
     }
 
+    /// Whether two principal moments are equal, to rounding.
+    pub fn symmetric(&self) -> bool {
+        let rounding = 16.0 * f64::EPSILON * self.moments.amax();
+        (0..3).any(|i| (self.moments[i] - self.moments[(i + 1) % 3]).abs() <= rounding)
+    }
+
     /// Length scale of the body [m]: the farthest mass point from the origin, or the largest radius of gyration.
     pub fn extent(&self) -> f64 {
         let farthest = self.points.iter().map(|p| rotation::length(&p.position)).fold(0.0, f64::max);

@@ -12,6 +12,7 @@
 //! | [`PointCloud`] | `--model points` | every mass point | all, O(K) |
 
 pub mod body;
+mod change;
 mod falling;
 mod forced;
 pub mod forces;
@@ -29,6 +30,7 @@ use nalgebra::Vector3;
 
 use crate::rotation::Rotation;
 
+pub use change::Change;
 pub use falling::Falling;
 pub use forced::{Forced, Motion};
 pub use free::Free;
@@ -108,6 +110,9 @@ pub trait Model {
     /// # Errors
     /// Ω does not exist.
     fn observe(&self, t: f64, state: &Self::State) -> Result<Snapshot, Broken>;
+
+    /// Told by a scheme that it has solved an implicit equation, in so many iterations: work that a harness counts.
+    fn solved(&self, _iterations: u32) {}
 }
 
 /// A model that turns about principal axes: what schemes in body axes ask for. The mass points are none.

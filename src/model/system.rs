@@ -229,6 +229,18 @@ impl System {
         system
     }
 
+    /// The same system started at a moment of a motion.
+    pub fn started_at(&self, snapshot: &Snapshot) -> System {
+        let mut system = self.clone();
+        system.start = Start {
+            position: snapshot.position,
+            orientation: snapshot.orientation,
+            velocity: snapshot.velocity,
+            angular_momentum: snapshot.angular_momentum,
+        };
+        system
+    }
+
     /// Whether the force on the centre of mass is constant, and whether it is zero.
     pub fn constant_force(&self) -> (bool, bool) {
         let laws = self.forces.laws();

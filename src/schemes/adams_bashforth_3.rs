@@ -6,7 +6,7 @@
 //! Source: bashforth1883 for the weights; jsbsim for integrating attitudes so. Third order at one evaluation a step.
 
 use super::{Card, TurningScheme, Workspace, adams_bashforth};
-use crate::claim::{Claim, Quantity, When};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 
 /// Adams–Bashforth on three rates.
@@ -30,6 +30,8 @@ impl TurningScheme for AdamsBashforth3 {
             Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
             Claim::VerticalMomentum,
             Claim::FlipTimes,
+            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
+            Claim::Equivariant,
         ],
     };
     const STATES: usize = adams_bashforth::states(3);

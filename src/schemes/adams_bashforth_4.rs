@@ -6,7 +6,7 @@
 //! Source: bashforth1883 for the weights; jsbsim for integrating attitudes so. Fourth order at one evaluation a step.
 
 use super::{Card, TurningScheme, Workspace, adams_bashforth};
-use crate::claim::{Claim, Quantity, When};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 
 /// Adams–Bashforth on four rates.
@@ -29,6 +29,8 @@ impl TurningScheme for AdamsBashforth4 {
             Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
             Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
             Claim::VerticalMomentum,
+            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
+            Claim::Equivariant,
         ],
     };
     const STATES: usize = adams_bashforth::states(4);

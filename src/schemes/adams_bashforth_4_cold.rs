@@ -7,7 +7,7 @@
 //! first step, ∝ h², stays in the motion: second order, whatever the weights promise.
 
 use super::{Card, TurningScheme, Workspace, adams_bashforth};
-use crate::claim::{Claim, Quantity, When};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 
 /// Adams–Bashforth on four rates, cold.
@@ -32,6 +32,8 @@ impl TurningScheme for AdamsBashforth4Cold {
             Claim::VerticalMomentum,
             Claim::FlipTimes,
             Claim::Evaluations(1),
+            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
+            Claim::Equivariant,
         ],
     };
     const STATES: usize = adams_bashforth::states(4);

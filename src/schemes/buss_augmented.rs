@@ -10,7 +10,7 @@
 //! trapezoid that keeps the second order under a torque that changes. L constant without torque.
 
 use super::{Card, TurningScheme, Workspace};
-use crate::claim::{Claim, Quantity, When};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 use crate::rotation::{renormalized, turn};
 
@@ -35,6 +35,8 @@ impl TurningScheme for BussAugmented {
             Claim::FlipTimes,
             Claim::Rigid,
             Claim::Evaluations(2),
+            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
+            Claim::Equivariant,
         ],
     };
     const STATES: usize = 0;

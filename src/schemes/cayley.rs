@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Quaternion, Vector3};
 
 use super::iteration::until_settled;
-use crate::model::Broken;
+use crate::model::{Broken, Turning};
 use crate::rotation::{Rotation, length};
 
 /// cay(v) = (E − [v]×/2)⁻¹ (E + [v]×/2): the rotation of the quaternion (1, v/2) over its length, by 2 atan(|v|/2).
@@ -16,14 +16,15 @@ pub(super) fn cayley(v: &Vector3<f64>) -> Rotation {
 ///
 /// # Errors
 /// [`Broken::NoConvergence`]; [`Broken::Singular`] where a moment is zero.
-pub(super) fn spin_of_step(
-    moments: &Vector3<f64>,
+pub(super) fn spin_of_step<M: Turning>(
+    model: &M,
     h: f64,
     momentum: &Vector3<f64>,
 ) -> Result<Vector3<f64>, Broken> {
+    let moments = &model.rotational().moments;
     let inertia = Matrix3::from_diagonal(moments);
     let mut spin = momentum.component_div(moments);
-    until_settled(|| {
+    until_settled(model, || {
         let own = moments.component_mul(&spin);
         let energy = spin.dot(&own);
         let left = own + spin.cross(&own) * (h / 2.0) + spin * (energy * h * h / 4.0) - momentum;

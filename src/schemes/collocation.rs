@@ -38,7 +38,7 @@ pub(super) fn step<M: Turning, const S: usize>(
     let sum = |weights: &[f64; S], rates: &[M::Rates; S]| {
         (1..S).fold(rates[0] * weights[0], |sum, j| sum + rates[j] * weights[j])
     };
-    until_settled(|| {
+    until_settled(model, || {
         let mut largest: f64 = 0.0;
         for i in 0..S {
             let row = &tableau.matrix[i];

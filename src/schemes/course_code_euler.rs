@@ -35,6 +35,7 @@ impl PointScheme for CourseCodeEuler {
             Claim::VerticalMomentum,
             Claim::Rigid,
             Claim::Evaluations(2),
+            Claim::Equivariant,
         ],
     };
     const STATES: usize = 1;

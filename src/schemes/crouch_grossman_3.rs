@@ -10,7 +10,7 @@
 //! Source: crouch1993, with the coefficients printed in hairer2006, section IV.8.
 
 use super::{Card, Scheme, Workspace};
-use crate::claim::{Claim, Quantity, When};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model};
 
 /// Third order, three evaluations and six rotations a step.
@@ -34,6 +34,8 @@ impl Scheme for CrouchGrossman3 {
             Claim::FlipTimes,
             Claim::Rigid,
             Claim::Evaluations(3),
+            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
+            Claim::Equivariant,
         ],
     };
     const STATES: usize = 2;

@@ -29,6 +29,7 @@ impl Scheme for Euler {
             Claim::VerticalMomentum,
             Claim::Rigid,
             Claim::Evaluations(1),
+            Claim::Equivariant,
         ],
     };
     const STATES: usize = 0;

@@ -26,6 +26,7 @@ impl PointScheme for EulerLinear {
             Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
             Claim::VerticalMomentum,
             Claim::Evaluations(1),
+            Claim::Equivariant,
         ],
     };
     const STATES: usize = 0;

@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 
 use super::Card;
 use super::splitting::splitting;
-use crate::claim::{Claim, Quantity, When};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::free_rotor;
 use crate::model::{Broken, Rotational};
 use crate::rotation::Rotation;
@@ -30,6 +30,10 @@ splitting! {
             Claim::VerticalMomentum,
             Claim::Rigid,
             Claim::Evaluations(1),
+            Claim::Energy(EnergyOfFreeBody::Constant),
+            Claim::Reversible,
+            Claim::Symplectic,
+            Claim::Equivariant,
         ],
     }
 }

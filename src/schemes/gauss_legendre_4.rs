@@ -12,7 +12,7 @@
 
 use super::collocation::{self, Tableau};
 use super::{Card, TurningScheme, Workspace};
-use crate::claim::{Claim, Quantity, When};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 
 /// Gauss–Legendre of order 4.
@@ -32,6 +32,10 @@ impl TurningScheme for GaussLegendre4 {
             Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
             Claim::VerticalMomentum,
             Claim::Rigid,
+            Claim::Energy(EnergyOfFreeBody::Bounded),
+            Claim::Reversible,
+            Claim::Equivariant,
+            Claim::Solves(1),
         ],
     };
     const STATES: usize = 3;

@@ -33,6 +33,9 @@ impl TurningScheme for GaussLegendre6 {
             Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
             Claim::VerticalMomentum,
             Claim::Rigid,
+            Claim::Reversible,
+            Claim::Equivariant,
+            Claim::Solves(1),
         ],
     };
     const STATES: usize = 4;

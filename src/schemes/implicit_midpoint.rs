@@ -14,7 +14,7 @@
 use super::cayley::cayley;
 use super::iteration::until_settled;
 use super::{Card, TurningScheme, Workspace};
-use crate::claim::{Claim, Quantity, When};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 use crate::rotation::{Rotation, renormalized};
 
@@ -36,6 +36,10 @@ impl TurningScheme for ImplicitMidpoint {
             Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
             Claim::FlipTimes,
             Claim::Rigid,
+            Claim::Energy(EnergyOfFreeBody::Constant),
+            Claim::Reversible,
+            Claim::Equivariant,
+            Claim::Solves(1),
         ],
     };
     const STATES: usize = 2;
@@ -58,7 +62,7 @@ impl TurningScheme for ImplicitMidpoint {
         let (mut m1, mut attitude1) = (m0, attitude0);
         let mut rates = model.rates(t, from)?;
         before.clone_from(from);
-        until_settled(|| {
+        until_settled(model, || {
             let middle = (m0 + m1) / 2.0; // (1)
             let spin = body.inverse_moments.component_mul(&middle);
             attitude1 = renormalized(attitude0 * cayley(&(spin * h))); // (2)

@@ -1,6 +1,6 @@
 //! The iteration that implicit schemes share: repeated until nothing changes but rounding.
 
-use crate::model::Broken;
+use crate::model::{Broken, Model};
 
 /// Change of an iterate, relative, that is rounding.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
@@ -10,15 +10,19 @@ const TOLERANCE: f64 = 1e-12;
 const MOST: u32 = 100;
 
 /// Repeats `improve`, which returns how far it has moved its iterate, until that is rounding, or is below 1e-12
-/// and falls no more.
+/// and falls no more. The model is told, so that a harness can count the work.
 ///
 /// # Errors
 /// [`Broken::NoConvergence`], or what `improve` cannot do.
-pub(super) fn until_settled(mut improve: impl FnMut() -> Result<f64, Broken>) -> Result<(), Broken> {
+pub(super) fn until_settled<M: Model>(
+    model: &M,
+    mut improve: impl FnMut() -> Result<f64, Broken>,
+) -> Result<(), Broken> {
     let mut last = f64::INFINITY;
-    for _ in 0..MOST {
+    for iteration in 1..=MOST {
         let change = improve()?;
         if change <= ROUNDING || (change <= TOLERANCE && change >= last) {
+            model.solved(iteration);
             return Ok(());
         }
         last = change;

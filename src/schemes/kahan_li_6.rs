@@ -33,6 +33,9 @@ impl Composition for NineSteps {
             Claim::VerticalMomentum,
             Claim::Rigid,
             Claim::Evaluations(9),
+            Claim::Reversible,
+            Claim::Symplectic,
+            Claim::Equivariant,
         ],
     };
 

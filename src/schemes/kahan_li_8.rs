@@ -33,6 +33,9 @@ impl Composition for SeventeenSteps {
             Claim::VerticalMomentum,
             Claim::Rigid,
             Claim::Evaluations(17),
+            Claim::Reversible,
+            Claim::Symplectic,
+            Claim::Equivariant,
         ],
     };
 

@@ -9,7 +9,7 @@
 
 use super::iteration::until_settled;
 use super::{Card, TurningScheme, Workspace};
-use crate::claim::{Claim, Quantity, When};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 
 /// The midpoint Lie algorithm.
@@ -32,6 +32,10 @@ impl TurningScheme for KryslLiemid {
             Claim::VerticalMomentum,
             Claim::FlipTimes,
             Claim::Rigid,
+            Claim::Energy(EnergyOfFreeBody::Bounded),
+            Claim::Reversible,
+            Claim::Equivariant,
+            Claim::Solves(1),
         ],
     };
     const STATES: usize = 2;
@@ -50,7 +54,7 @@ impl TurningScheme for KryslLiemid {
         let (half, before) = (&mut first[0], &mut second[0]);
         let mut middle = model.rates(t, from)?;
         before.clone_from(from);
-        until_settled(|| {
+        until_settled(model, || {
             model.advance(from, h / 2.0, &middle, half); // (1)
             middle = model.rates(t + h / 2.0, half)?; // (2)
             let change = model.apart(half, before);

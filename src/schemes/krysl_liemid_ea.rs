@@ -13,8 +13,8 @@ use nalgebra::Vector3;
 
 use super::iteration::until_settled;
 use super::{Card, TurningScheme, Workspace};
-use crate::claim::{Claim, Quantity, When};
-use crate::model::{Broken, Rotational, Turning};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
+use crate::model::{Broken, Turning};
 use crate::rotation::{self, Rotation, renormalized, turn};
 
 /// The midpoint Lie algorithm with end impulses.
@@ -38,6 +38,10 @@ impl TurningScheme for KryslLiemidEa {
             Claim::FlipTimes,
             Claim::Rigid,
             Claim::Evaluations(2),
+            Claim::Energy(EnergyOfFreeBody::Bounded),
+            Claim::Reversible,
+            Claim::Equivariant,
+            Claim::Solves(2),
         ],
     };
     const STATES: usize = 0;
@@ -57,8 +61,8 @@ impl TurningScheme for KryslLiemidEa {
         model.kick(to, h / 2.0, &k0); // (1)
         model.drift(to, h); // (2)
         let momentum = model.momentum(to);
-        let first = free_midpoint(model.rotational(), h / 2.0, &model.attitude(to), &momentum)?; // (3)
-        let second = free_midpoint(model.rotational(), h / 2.0, &first, &momentum)?;
+        let first = free_midpoint(model, h / 2.0, &model.attitude(to), &momentum)?; // (3)
+        let second = free_midpoint(model, h / 2.0, &first, &momentum)?;
         model.place(to, second, momentum);
         let k1 = model.rates(t + h, to)?;
         model.kick(to, h / 2.0, &k1); // (4)
@@ -67,9 +71,15 @@ impl TurningScheme for KryslLiemidEa {
 }
 
 /// The attitude of a free body after a time `s`, by (3).
-fn free_midpoint(body: &Rotational, s: f64, q: &Rotation, l: &Vector3<f64>) -> Result<Rotation, Broken> {
+fn free_midpoint<M: Turning>(
+    model: &M,
+    s: f64,
+    q: &Rotation,
+    l: &Vector3<f64>,
+) -> Result<Rotation, Broken> {
+    let body = model.rotational();
     let mut angle = body.spin(q, l) * s;
-    until_settled(|| {
+    until_settled(model, || {
         let last = angle;
         angle = body.spin(&(turn(&(last / 2.0)) * q), l) * s;
         Ok(rotation::length(&(angle - last)))

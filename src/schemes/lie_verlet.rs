@@ -12,7 +12,7 @@
 
 use super::cayley::{cayley, spin_of_step};
 use super::{Card, TurningScheme, Workspace};
-use crate::claim::{Claim, Quantity, When};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 use crate::rotation::renormalized;
 
@@ -36,6 +36,11 @@ impl TurningScheme for LieVerlet {
             Claim::FlipTimes,
             Claim::Rigid,
             Claim::Evaluations(2),
+            Claim::Energy(EnergyOfFreeBody::Bounded),
+            Claim::Reversible,
+            Claim::Symplectic,
+            Claim::Equivariant,
+            Claim::Solves(1),
         ],
     };
     const STATES: usize = 0;
@@ -56,7 +61,7 @@ impl TurningScheme for LieVerlet {
         model.drift(to, h);
         let (attitude, momentum) = (model.attitude(from), model.momentum(to));
         let in_body = attitude.inverse_transform_vector(&momentum);
-        let spin = spin_of_step(&model.rotational().moments, h, &in_body)?; // (2)
+        let spin = spin_of_step(model, h, &in_body)?; // (2)
         model.place(to, renormalized(attitude * cayley(&(spin * h))), momentum); // (3)
         let k1 = model.rates(t + h, to)?;
         model.kick(to, h / 2.0, &k1); // (4)

@@ -12,7 +12,7 @@
 //! Source: iserles1999 for the expansion; hairer2006, section IV.7.
 
 use super::{Card, Scheme, Workspace};
-use crate::claim::{Claim, Quantity, When};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model, Motion, Rates};
 
 /// Fourth order, seven evaluations a step.
@@ -37,6 +37,8 @@ impl Scheme for Magnus4 {
             Claim::VerticalMomentum,
             Claim::Rigid,
             Claim::Evaluations(7),
+            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
+            Claim::Equivariant,
         ],
     };
     const STATES: usize = 1;

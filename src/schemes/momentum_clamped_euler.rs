@@ -31,6 +31,7 @@ impl TurningScheme for MomentumClampedEuler {
             Claim::Exact(Quantity::Position, When::NoForce),
             Claim::Rigid,
             Claim::Evaluations(1),
+            Claim::Equivariant,
         ],
     };
     const STATES: usize = 0;

@@ -14,7 +14,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::Card;
 use super::splitting::splitting;
-use crate::claim::{Claim, Quantity, When};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Rotational};
 use crate::rotation::Rotation;
 
@@ -39,6 +39,10 @@ splitting! {
             Claim::FlipTimes,
             Claim::Rigid,
             Claim::Evaluations(1),
+            Claim::Energy(EnergyOfFreeBody::Constant),
+            Claim::Reversible,
+            Claim::Symplectic,
+            Claim::Equivariant,
         ],
     }
 }

@@ -16,7 +16,7 @@ use nalgebra::{Quaternion, Vector3};
 
 use super::Card;
 use super::splitting::splitting;
-use crate::claim::{Claim, Quantity, When};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Rotational};
 use crate::rotation::Rotation;
 
@@ -36,6 +36,10 @@ splitting! {
             Claim::FlipTimes,
             Claim::Rigid,
             Claim::Evaluations(1),
+            Claim::Energy(EnergyOfFreeBody::Bounded),
+            Claim::Reversible,
+            Claim::Symplectic,
+            Claim::Equivariant,
         ],
     }
 }

@@ -12,7 +12,7 @@
 use nalgebra::Vector3;
 
 use super::{Card, Scheme, Workspace};
-use crate::claim::{Claim, Quantity, When};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model, Motion, Rates};
 use crate::rotation;
 
@@ -35,6 +35,8 @@ impl Scheme for PeskinCayley {
             Claim::VerticalMomentum,
             Claim::Rigid,
             Claim::Evaluations(2),
+            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
+            Claim::Equivariant,
         ],
     };
     const STATES: usize = 1;

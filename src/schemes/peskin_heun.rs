@@ -7,7 +7,7 @@
 //! at the same cost, with error constants of its own.
 
 use super::{Card, Scheme, Workspace};
-use crate::claim::{Claim, Quantity, When};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model};
 
 /// Heun's corrector.
@@ -30,6 +30,8 @@ impl Scheme for PeskinHeun {
             Claim::VerticalMomentum,
             Claim::Rigid,
             Claim::Evaluations(2),
+            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
+            Claim::Equivariant,
         ],
     };
     const STATES: usize = 1;

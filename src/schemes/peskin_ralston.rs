@@ -7,7 +7,7 @@
 //! ingredients of peskin2021 in place of sums. What is least for vectors need not be least for rotations.
 
 use super::{Card, Scheme, Workspace};
-use crate::claim::{Claim, Quantity, When};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model};
 
 /// Ralston's second-order weights.
@@ -30,6 +30,8 @@ impl Scheme for PeskinRalston {
             Claim::VerticalMomentum,
             Claim::Rigid,
             Claim::Evaluations(2),
+            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
+            Claim::Equivariant,
         ],
     };
     const STATES: usize = 1;

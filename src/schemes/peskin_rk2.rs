@@ -32,6 +32,7 @@ impl Scheme for PeskinRk2 {
             Claim::FlipTimes,
             Claim::Rigid,
             Claim::Evaluations(2),
+            Claim::Equivariant,
         ],
     };
     const STATES: usize = 1;

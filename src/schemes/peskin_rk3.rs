@@ -10,7 +10,7 @@
 //! Source: celledoni2003, third order with the abscissas 0, 1/3, 2/3; peskin2021.
 
 use super::{Card, Scheme, Workspace};
-use crate::claim::{Claim, Quantity, When};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model};
 
 /// Third order, three evaluations and three rotations a step.
@@ -34,6 +34,8 @@ impl Scheme for PeskinRk3 {
             Claim::FlipTimes,
             Claim::Rigid,
             Claim::Evaluations(3),
+            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
+            Claim::Equivariant,
         ],
     };
     const STATES: usize = 2;

@@ -12,7 +12,7 @@
 //! Source: celledoni2003, the fourth-order method; peskin2021.
 
 use super::{Card, Scheme, Workspace};
-use crate::claim::{Claim, Quantity, When};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model};
 
 /// Fourth order, four evaluations and five rotations a step.
@@ -35,6 +35,8 @@ impl Scheme for PeskinRk4 {
             Claim::VerticalMomentum,
             Claim::Rigid,
             Claim::Evaluations(4),
+            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
+            Claim::Equivariant,
         ],
     };
     const STATES: usize = 2;

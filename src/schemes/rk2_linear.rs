@@ -7,7 +7,7 @@
 //! Source: peskin2021 with (1) and (5) linear. Second order; the body is not rigid: its size changes as h³.
 
 use super::{Card, PointScheme, Workspace};
-use crate::claim::{Claim, Quantity, When};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Pointwise};
 
 /// The midpoint rule on the points as free vectors.
@@ -27,6 +27,8 @@ impl PointScheme for Rk2Linear {
             Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
             Claim::VerticalMomentum,
             Claim::Evaluations(2),
+            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
+            Claim::Equivariant,
         ],
     };
     const STATES: usize = 1;

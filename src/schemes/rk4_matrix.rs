@@ -16,7 +16,7 @@ use nalgebra::Matrix3;
 
 use super::vector_form::{hold, orthonormal};
 use super::{Card, TurningScheme, Workspace};
-use crate::claim::{Claim, Quantity, When};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 use crate::rotation;
 
@@ -38,6 +38,8 @@ impl TurningScheme for Rk4Matrix {
             Claim::VerticalMomentum,
             Claim::Rigid,
             Claim::Evaluations(4),
+            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
+            Claim::Equivariant,
         ],
     };
     const STATES: usize = 1;

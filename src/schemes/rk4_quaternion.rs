@@ -14,7 +14,7 @@ use nalgebra::Quaternion;
 
 use super::vector_form::{hold, quaternion_rate};
 use super::{Card, TurningScheme, Workspace};
-use crate::claim::{Claim, Quantity, When};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 use crate::rotation::Rotation;
 
@@ -37,6 +37,8 @@ impl TurningScheme for Rk4Quaternion {
             Claim::VerticalMomentum,
             Claim::Rigid,
             Claim::Evaluations(4),
+            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
+            Claim::Equivariant,
         ],
     };
     const STATES: usize = 1;

@@ -13,7 +13,7 @@
 use nalgebra::Vector3;
 
 use super::{Card, Scheme, Workspace};
-use crate::claim::{Claim, Quantity, When};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model, Motion, Rates};
 
 /// Fourth order, four evaluations and four rotations a step.
@@ -36,6 +36,8 @@ impl Scheme for Rkmk4 {
             Claim::VerticalMomentum,
             Claim::Rigid,
             Claim::Evaluations(4),
+            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
+            Claim::Equivariant,
         ],
     };
     const STATES: usize = 1;

@@ -13,7 +13,7 @@ use nalgebra::Matrix3;
 
 use super::semi_implicit::{in_body_axes, move_by};
 use super::{Card, TurningScheme, Workspace};
-use crate::claim::{Claim, Quantity, When};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 
 /// Semi-implicit Euler with implicit gyroscopic term.
@@ -32,6 +32,8 @@ impl TurningScheme for SemiImplicitEulerImplicitGyro {
             Claim::Exact(Quantity::Position, When::NoForce),
             Claim::Rigid,
             Claim::Evaluations(1),
+            Claim::Energy(EnergyOfFreeBody::Falls),
+            Claim::Equivariant,
         ],
     };
     const STATES: usize = 0;

@@ -28,6 +28,7 @@ impl TurningScheme for SemiImplicitEulerNoGyro {
             Claim::Exact(Quantity::Position, When::NoForce),
             Claim::Rigid,
             Claim::Evaluations(1),
+            Claim::Equivariant,
         ],
     };
     const STATES: usize = 0;

@@ -11,7 +11,7 @@
 use super::iteration::until_settled;
 use super::vector_form::hold;
 use super::{Card, TurningScheme, Workspace};
-use crate::claim::{Claim, Quantity, When};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 use crate::rotation::{renormalized, turn};
 
@@ -35,6 +35,10 @@ impl TurningScheme for SimoWong {
             Claim::VerticalMomentum,
             Claim::FlipTimes,
             Claim::Rigid,
+            Claim::Energy(EnergyOfFreeBody::Constant),
+            Claim::Reversible,
+            Claim::Equivariant,
+            Claim::Solves(1),
         ],
     };
     const STATES: usize = 1;
@@ -54,7 +58,7 @@ impl TurningScheme for SimoWong {
         let k0 = model.rates(t, from)?;
         let mut k1 = k0;
         to.clone_from(from);
-        until_settled(|| {
+        until_settled(model, || {
             let body_spin1 = model.attitude(to).inverse_transform_vector(&model.spin_of(&k1));
             let mean_spin = (model.spin_of(&k0) + attitude0 * body_spin1) / 2.0;
             let attitude1 = renormalized(turn(&(mean_spin * h)) * attitude0); // (1)

@@ -29,6 +29,7 @@ impl Scheme for Substepped4Euler {
             Claim::VerticalMomentum,
             Claim::Rigid,
             Claim::Evaluations(4),
+            Claim::Equivariant,
         ],
     };
     const STATES: usize = Substepped::<Euler, 4>::STATES;

@@ -7,7 +7,7 @@
 use super::Card;
 use super::composed::{Composed, Composition};
 use super::strang_rotations::StrangRotations;
-use crate::claim::{Claim, Quantity, When};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 
 /// Suzuki's fractal.
 pub type Suzuki4 = Composed<Fractal>;
@@ -33,6 +33,10 @@ impl Composition for Fractal {
             Claim::VerticalMomentum,
             Claim::Rigid,
             Claim::Evaluations(5),
+            Claim::Energy(EnergyOfFreeBody::Bounded),
+            Claim::Reversible,
+            Claim::Symplectic,
+            Claim::Equivariant,
         ],
     };
 

@@ -7,7 +7,7 @@
 use super::Card;
 use super::composed::{Composed, Composition};
 use super::strang_rotations::StrangRotations;
-use crate::claim::{Claim, Quantity, When};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 
 /// Triple jump.
 pub type Yoshida4 = Composed<TripleJump>;
@@ -33,6 +33,10 @@ impl Composition for TripleJump {
             Claim::VerticalMomentum,
             Claim::Rigid,
             Claim::Evaluations(3),
+            Claim::Energy(EnergyOfFreeBody::Bounded),
+            Claim::Reversible,
+            Claim::Symplectic,
+            Claim::Equivariant,
         ],
     };
 

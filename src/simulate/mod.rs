@@ -58,6 +58,10 @@ pub struct Outcome {
     pub steps: u64,
     /// Evaluations of the rates, and so of the forces.
     pub evaluations: u64,
+    /// Implicit equations that were solved.
+    pub solves: u64,
+    /// Iterations that they took.
+    pub iterations: u64,
     /// Wall-clock time of the steps alone [ns].
     pub nanoseconds: u64,
     /// Why the run ended early, if it did.
@@ -67,8 +71,12 @@ pub struct Outcome {
 impl Outcome {
     /// Of a run that cannot start.
     fn none(why: Broken) -> Outcome {
-        let broken = Some(Break { step: 0, time: 0.0, why });
-        Outcome { steps: 0, evaluations: 0, nanoseconds: 0, broken }
+        Outcome { broken: Some(Break { step: 0, time: 0.0, why }), ..Outcome::none_yet() }
+    }
+
+    /// Before the first step.
+    fn none_yet() -> Outcome {
+        Outcome { steps: 0, evaluations: 0, solves: 0, iterations: 0, nanoseconds: 0, broken: None }
     }
 }
 
@@ -149,10 +157,12 @@ impl<S: PointScheme, M: Pointwise> Step<M> for OnPoints<S> {
     }
 }
 
-/// A model that counts the evaluations of its rates.
+/// A model that counts the evaluations of its rates and the implicit equations solved on it.
 struct Counted<'a, M> {
     model: &'a M,
     evaluations: Cell<u64>,
+    solves: Cell<u64>,
+    iterations: Cell<u64>,
 }
 
 impl<M: Model> Model for Counted<'_, M> {
@@ -178,6 +188,11 @@ impl<M: Model> Model for Counted<'_, M> {
 
     fn observe(&self, t: f64, state: &M::State) -> Result<Snapshot, Broken> {
         self.model.observe(t, state)
+    }
+
+    fn solved(&self, iterations: u32) {
+        self.solves.set(self.solves.get() + 1);
+        self.iterations.set(self.iterations.get() + u64::from(iterations));
     }
 }
 
@@ -294,7 +309,7 @@ fn run<'a, S: Step<Counted<'a, M>>, M: Model>(
     let start = model.start();
     let work = Workspace::new(&start, S::STATES);
     let mut stepper = Stepper::<S, M> {
-        model: Counted { model, evaluations: Cell::new(0) },
+        model: Counted { model, evaluations: Cell::new(0), solves: Cell::new(0), iterations: Cell::new(0) },
         step: plan.step,
         next: start.clone(),
         checked: start.clone(),
@@ -303,7 +318,7 @@ fn run<'a, S: Step<Counted<'a, M>>, M: Model>(
         now: start,
         scheme: PhantomData,
     };
-    let mut outcome = Outcome { steps: 0, evaluations: 0, nanoseconds: 0, broken: None };
+    let mut outcome = Outcome::none_yet();
     let every = plan.every.max(1);
     let broke = |step: u64, why| Some(Break { step, time: step as f64 * plan.step, why });
     loop {
@@ -336,5 +351,7 @@ fn run<'a, S: Step<Counted<'a, M>>, M: Model>(
     // The final state is an output of the loop: without this a run that stores nothing could be deleted.
     std::hint::black_box(&stepper.now);
     outcome.evaluations = stepper.model.evaluations.get();
+    outcome.solves = stepper.model.solves.get();
+    outcome.iterations = stepper.model.iterations.get();
     outcome
 }

@@ -46,6 +46,14 @@ impl PerPoint {
             PerPoint::Each(values) => values[index],
         }
     }
+
+    /// All of them times `factor`.
+    pub fn scaled(&self, factor: f64) -> PerPoint {
+        match self {
+            PerPoint::Same(value) => PerPoint::Same(value * factor),
+            PerPoint::Each(values) => PerPoint::Each(values.iter().map(|value| value * factor).collect()),
+        }
+    }
 }
 
 /// A force law as a scene states it.
@@ -300,6 +308,19 @@ impl Forces {
             Law::Ground(ground) => ground.damping != 0.0 || ground.friction != 0.0,
             Law::Gravity(_) | Law::CentralGravity(_) | Law::Torque(_) => false,
             Law::Dipole(_) | Law::GravityGradient(_) => false,
+        })
+    }
+
+    /// Whether a law depends on time by itself.
+    pub fn read_time(&self) -> bool {
+        self.laws.iter().any(|law| match law {
+            Law::Lorentz(lorentz) => !lorentz.is_static(),
+            Law::Torque(torque) => {
+                torque.frequency != 0.0 && (torque.cosine.amax() != 0.0 || torque.sine.amax() != 0.0)
+            }
+            Law::GravityGradient(gradient) => gradient.rate != 0.0,
+            Law::Gravity(_) | Law::Spring(_) | Law::Drag(_) => false,
+            Law::CentralGravity(_) | Law::Dipole(_) | Law::Ground(_) => false,
         })
     }
 

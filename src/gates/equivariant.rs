@@ -1,0 +1,42 @@
+//! The equivariance gate: other worlds and other units give the same motion, to rounding; in binary units to the last bit.
+
+use super::{Case, ruled};
+use crate::metrics::OtherWorld;
+use crate::record::{Ruling, Verdict};
+
+/// Difference over its floor that rounding may leave: the same factor that tells an error from its floor elsewhere.
+const CLEAR: f64 = 10.0;
+
+pub(super) fn judge(case: &Case) -> Vec<Verdict> {
+    if case.other_worlds.is_empty() {
+        let detail =
+            "no run of the ladder follows the truth to a tenth of the body's size: nothing to compare with";
+        return vec![ruled(case, "equivariant", "all", Ruling::NotApplicable, detail)];
+    }
+    case.other_worlds.iter().map(|world| judge_world(case, world)).collect()
+}
+
+fn judge_world(case: &Case, world: &OtherWorld) -> Verdict {
+    let bound = if world.to_the_bit { 0.0 } else { CLEAR };
+    // NaN is a run that broke in the other world alone: no pass.
+    let verdict = if world.of_floor <= bound { Ruling::Pass } else { Ruling::Fail };
+    let detail = if world.of_floor.is_nan() {
+        "the run breaks in the other world and not in its own".to_owned()
+    } else if world.of_floor == 0.0 {
+        "equal to the last bit".to_owned()
+    } else {
+        format!(
+            "{} differs by {:.2e} {}, {:.2} of its floor; at most {bound}",
+            world.quantity.name(),
+            world.difference,
+            world.quantity.unit(),
+            world.of_floor
+        )
+    };
+    Verdict {
+        measured: world.of_floor.is_finite().then_some(world.of_floor),
+        low: Some(0.0),
+        high: Some(bound),
+        ..ruled(case, "equivariant", world.name, verdict, detail)
+    }
+}

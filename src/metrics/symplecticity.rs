@@ -1,0 +1,164 @@
+//! Whether one step is symplectic: its derivative D leaves the canonical two-form where it was.
+//!
+//! Displacements of a state are (φ, δL, δx, δv): turned by φ (world axes), L and the translation changed. The canonical
+//! one-form of the rotation is θ = L·φ, that of the translation M v·dx, and the two-form is ω = −dθ. Turns about world axes do not
+//! commute, [φ₁, φ₂] = −φ₁ × φ₂, which gives the last term of
+//!
+//! ```text
+//! (1)  ω(1, 2) = φ₁·δL₂ − φ₂·δL₁ − L·(φ₁ × φ₂) + M (δx₁·δv₂ − δx₂·δv₁)
+//! (2)  D = derivative of one step, by differences at ±ε and ±2ε: error ε⁴
+//! (3)  defect = max |ω(D e_i, D e_j) at the end − ω(e_i, e_j) at the start|, over the action of the motion
+//! ```
+//!
+//! Source: the canonical form of T*SO(3) in world axes, Marsden and Ratiu, Introduction to Mechanics and Symmetry.
+
+use nalgebra::Vector3;
+
+use super::{Rung, steady_rung};
+use crate::model::body::Shape;
+use crate::model::{Snapshot, Start, System};
+use crate::rotation;
+use crate::simulate::{Contestant, Form, Plan};
+
+/// Radians turned by the step, at most.
+const TURN: f64 = 0.5;
+/// ε: displacements are this part of what changes Ω by itself. ε⁴ = 1e-12, and a rounding over ε is 2e-13.
+const DISPLACEMENT: f64 = 1e-3;
+
+/// What a step does to the two-form.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Symplecticity {
+    /// h [s].
+    pub step: f64,
+    /// Largest change of the form, over the action that one radian of the motion carries.
+    pub defect: f64,
+}
+
+/// A displacement of a state, or the difference of two.
+#[derive(Clone, Copy, Debug)]
+struct Displacement {
+    turn: Vector3<f64>,
+    momentum: Vector3<f64>,
+    position: Vector3<f64>,
+    velocity: Vector3<f64>,
+}
+
+/// Differentiates one step; `None` where the motion has no canonical form that is known here: rods and
+/// points, forces without potential or with a velocity in them, a body at rest.
+pub fn symplecticity(contestant: &Contestant, system: &System, rungs: &[Rung]) -> Option<Symplecticity> {
+    let momentum = rotation::length(&system.start.angular_momentum);
+    let spin = 2.0 * rotational_energy(system) / momentum;
+    if system.body.shape != Shape::Extended
+        || !system.forces.conservative()
+        || system.forces.read_velocity()
+        || !(spin > 0.0 && spin.is_finite())
+    {
+        return None;
+    }
+    let step = steady_rung(system, rungs)?.step.min(TURN / spin);
+    // What turn, and what change of L over |L|, changes Ω by no more than itself in a body of unlike moments.
+    let unit = (system.body.moments.min() * spin / momentum).min(1.0);
+    let directions = directions(system, spin, unit);
+    let one_step = |system: &System| {
+        let run = contestant.run(system, Form::Least, &Plan { step, steps: 1, every: 1 });
+        run.outcome.broken.is_none().then(|| run.states[run.states.len() - 1])
+    };
+    let end = one_step(system)?;
+    let mut derivative = Vec::with_capacity(directions.len());
+    for direction in &directions {
+        let moved = |by: f64| {
+            let displaced = displaced(system, &direction.scaled(by * DISPLACEMENT));
+            one_step(&displaced).map(|state| apart(&state, &end))
+        };
+        let (near, back) = (moved(1.0)?, moved(-1.0)?);
+        let (far, far_back) = (moved(2.0)?, moved(-2.0)?);
+        let (once, twice) = (near.minus(&back).scaled(8.0), far.minus(&far_back)); // (2)
+        derivative.push(once.minus(&twice).scaled(1.0 / (12.0 * DISPLACEMENT)));
+    }
+    // A pivot holds the translation: it is no coordinate.
+    let mass = if system.body.pivoted { 0.0 } else { system.body.mass };
+    let mut defect: f64 = 0.0;
+    for (i, first) in directions.iter().enumerate() {
+        for (j, second) in directions.iter().enumerate().skip(i + 1) {
+            let before = form(mass, &system.start.angular_momentum, first, second);
+            let after = form(mass, &end.angular_momentum, &derivative[i], &derivative[j]);
+            defect = super::larger(defect, (after - before).abs() / (momentum * unit * unit)); // (3)
+        }
+    }
+    Some(Symplecticity { step, defect })
+}
+
+/// ω.
+fn form(mass: f64, momentum: &Vector3<f64>, a: &Displacement, b: &Displacement) -> f64 {
+    a.turn.dot(&b.momentum) - b.turn.dot(&a.momentum) - momentum.dot(&a.turn.cross(&b.turn))
+        + mass * (a.position.dot(&b.velocity) - b.position.dot(&a.velocity)) // (1)
+}
+
+impl Displacement {
+    fn zero() -> Displacement {
+        let zero = Vector3::zeros();
+        Displacement { turn: zero, momentum: zero, position: zero, velocity: zero }
+    }
+
+    fn scaled(&self, by: f64) -> Displacement {
+        Displacement {
+            turn: self.turn * by,
+            momentum: self.momentum * by,
+            position: self.position * by,
+            velocity: self.velocity * by,
+        }
+    }
+
+    fn minus(&self, other: &Displacement) -> Displacement {
+        Displacement {
+            turn: self.turn - other.turn,
+            momentum: self.momentum - other.momentum,
+            position: self.position - other.position,
+            velocity: self.velocity - other.velocity,
+        }
+    }
+}
+
+/// ½ Ω·L at the start [J].
+fn rotational_energy(system: &System) -> f64 {
+    let momentum = system.start.orientation.inverse_transform_vector(&system.start.angular_momentum);
+    0.5 * momentum.dot(&(system.body.inverse_inertia() * momentum))
+}
+
+/// `unit` radians about each axis, so much of |L| along each, and where the body is not held, a length and a velocity whose action is of the size
+/// of |L|.
+fn directions(system: &System, spin: f64, unit: f64) -> Vec<Displacement> {
+    let momentum = rotation::length(&system.start.angular_momentum);
+    let length = (momentum / (system.body.mass * spin)).sqrt() * unit;
+    let zero = Displacement::zero();
+    let mut directions = Vec::new();
+    for axis in 0..3 {
+        let along = Vector3::ith(axis, 1.0);
+        directions.push(Displacement { turn: along * unit, ..zero });
+        directions.push(Displacement { momentum: along * (unit * momentum), ..zero });
+        if !system.body.pivoted {
+            directions.push(Displacement { position: along * length, ..zero });
+            directions.push(Displacement { velocity: along * (length * spin), ..zero });
+        }
+    }
+    directions
+}
+
+fn displaced(system: &System, by: &Displacement) -> System {
+    let change = Start {
+        position: by.position,
+        velocity: by.velocity,
+        angular_momentum: by.momentum,
+        orientation: system.start.orientation,
+    };
+    system.displaced(&by.turn, &change)
+}
+
+fn apart(state: &Snapshot, from: &Snapshot) -> Displacement {
+    Displacement {
+        turn: (state.orientation * from.orientation.inverse()).scaled_axis(),
+        momentum: state.angular_momentum - from.angular_momentum,
+        position: state.position - from.position,
+        velocity: state.velocity - from.velocity,
+    }
+}
