@@ -5,7 +5,8 @@ use super::{Case, at_most, ruled};
 use crate::record::{Ruling, Verdict};
 
 /// Five-point differences at ε = 1e-3 leave ε⁴/30 of the fifth derivative and 1.5 u/ε of rounding: 3e-14 and 3e-13 times what a
-/// radian of the motion amplifies, which is 2⁵ for steps of half a radian, and a hundred for the forces of a scene.
+/// radian of the motion amplifies, which is 2⁵ for steps of half a radian, and a hundred for the forces of a scene. Directions
+/// that are shorter than a radian make a rounding as many times larger.
 const DEFECT: f64 = 1e-9;
 
 pub(super) fn judge(case: &Case) -> Verdict {
@@ -13,9 +14,10 @@ pub(super) fn judge(case: &Case) -> Verdict {
         let detail = "no canonical form: a rod or a point, a body at rest, a force without potential or with a velocity in it";
         return ruled(case, "symplectic", "two-form", Ruling::NotApplicable, detail);
     };
+    let bound = DEFECT / symplecticity.unit;
     let detail = format!(
-        "the two-form changes by {:.2e} of |L| in a step of {:.3e} s; at most {DEFECT:.0e}",
+        "the two-form changes by {:.2e} of |L| in a step of {:.3e} s; at most {bound:.1e}",
         symplecticity.defect, symplecticity.step
     );
-    at_most(case, "symplectic", "two-form", symplecticity.defect, DEFECT, detail)
+    at_most(case, "symplectic", "two-form", symplecticity.defect, bound, detail)
 }

@@ -4,6 +4,7 @@
 //! scheme's order, on top of a secular part whose rate has an order of its own; only runs over many periods
 //! tell them apart, and only steps so small that the rate stays what it was at the start.
 
+use crate::claim::{Claim, EnergyOfFreeBody};
 use crate::model::System;
 use crate::model::body::Shape;
 use crate::model::forces::Forces;
@@ -25,8 +26,12 @@ const SHORTEST: f64 = 100.0;
 const PERIODS: f64 = 16.0;
 /// … and the longest, in radians turned: what tumbles more slowly is not measured.
 const LONGEST: f64 = 4000.0;
-/// Most steps of all runs together, where the scheme makes a promise about its energy …
+/// Successive runs without a rate that settle that there is none.
+const FLAT: usize = 3;
+/// Most steps of all runs together, where the scheme promises a steady growth of its energy, …
 const MOST_STEPS: u64 = 4_000_000;
+/// … where it promises something else about it …
+const MOST_STEPS_OTHERWISE: u64 = 1_000_000;
 /// … and where it makes none.
 const MOST_STEPS_UNASKED: u64 = 100_000;
 /// Samples of a run.
@@ -83,6 +88,15 @@ pub struct EnergyRung {
     pub evaluations: u64,
 }
 
+impl EnergyRung {
+    /// Whether the energy oscillates clear of rounding, with no rate but what the averages leave of the oscillation.
+    fn is_flat(&self, long: f64) -> bool {
+        self.level > 100.0 * self.rounding
+            && self.rate.abs() <= 3.0 * self.uncertainty
+            && self.rate.abs() * long < 0.1 * self.level
+    }
+}
+
 /// The drift of the energy over a ladder of steps.
 #[derive(Clone, Debug)]
 pub struct EnergyDrift {
@@ -111,11 +125,16 @@ pub fn energy_drift(contestant: &Contestant, system: &System, duration: f64) -> 
     if spin == 0.0 || long * spin > LONGEST {
         return None;
     }
-    let (mut rungs, mut steady, mut taken) = (Vec::<EnergyRung>::new(), 0, 0);
-    let asked = contestant.card.claims.iter().any(|claim| claim.name() == "energy");
-    let most = if asked { MOST_STEPS } else { MOST_STEPS_UNASKED };
+    let (mut rungs, mut steady, mut flat, mut taken) = (Vec::<EnergyRung>::new(), 0, 0, 0);
+    let claimed =
+        contestant.card.claims.iter().find_map(|c| if let Claim::Energy(e) = c { Some(*e) } else { None });
+    let most = match claimed {
+        Some(EnergyOfFreeBody::GrowsSecularly { .. }) => MOST_STEPS,
+        Some(_) => MOST_STEPS_OTHERWISE,
+        None => MOST_STEPS_UNASKED,
+    };
     let mut turn = COARSEST_TURN;
-    while steady < RUNGS {
+    while steady < RUNGS && flat < FLAT {
         let steps = ((long * spin / turn).ceil() as u64).div_ceil(SAMPLES) * SAMPLES;
         taken += steps;
         if taken > most {
@@ -125,10 +144,11 @@ pub fn energy_drift(contestant: &Contestant, system: &System, duration: f64) -> 
         let exact = rung.level <= 10.0 * rung.rounding;
         let is_steady = exact || rung.uncertainty <= STEADY * rung.rate.abs();
         steady = if is_steady { steady + 1 } else { 0 };
+        flat = if rung.is_flat(long) { flat + 1 } else { 0 };
         turn /= if is_steady { RATIO } else { 2.0 };
         rungs.push(rung);
     }
-    if rungs.is_empty() { None } else { Some(classify(rungs, steady, long)) }
+    if rungs.is_empty() { None } else { Some(classify(rungs, steady, flat >= FLAT, long)) }
 }
 
 fn run_rung(contestant: &Contestant, rotor: &System, long: f64, steps: u64) -> Option<EnergyRung> {
@@ -163,17 +183,17 @@ fn run_rung(contestant: &Contestant, rotor: &System, long: f64, steps: u64) -> O
     })
 }
 
-fn classify(rungs: Vec<EnergyRung>, steady: usize, long: f64) -> EnergyDrift {
+fn classify(rungs: Vec<EnergyRung>, steady: usize, flat: bool, long: f64) -> EnergyDrift {
     // A rate counts as clear at ten times its floor: at three times its uncertainty.
     let ladder: Vec<_> =
         rungs.iter().map(|r| (r.step, r.rate.abs(), (0.3 * r.uncertainty).max(r.rounding / long))).collect();
     let shown = ladder.iter().rposition(|(_, rate, floor)| *rate > 10.0 * floor).unwrap_or(rungs.len() - 1);
     let fine = &rungs[rungs.len() - steady.max(1)..];
-    let bounded = fine.iter().all(|r| (r.rate * long).abs() < 0.1 * r.level);
+    let bounded = flat || fine.iter().all(|r| (r.rate * long).abs() < 0.1 * r.level);
     let (class, order) = match regression::find_window(&ladder[rungs.len() - steady.max(1)..]) {
         _ if rungs.iter().all(|r| r.level <= 10.0 * r.rounding) => (Class::Exact, None),
         _ if fine.iter().any(|r| r.level > 1e3) => (Class::Growing, None),
-        Ladder::Window { fit, .. } => (Class::Secular, Some(fit)),
+        Ladder::Window { fit, .. } if !flat => (Class::Secular, Some(fit)),
         _ if bounded => (Class::Bounded, None),
         _ => (Class::Undecided, None),
     };

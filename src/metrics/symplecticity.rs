@@ -32,6 +32,8 @@ pub struct Symplecticity {
     pub step: f64,
     /// Largest change of the form, over the action that one radian of the motion carries.
     pub defect: f64,
+    /// Size of the directions in which it was differentiated, of a radian and of |L|: below one where the moments differ much.
+    pub unit: f64,
 }
 
 /// A displacement of a state, or the difference of two.
@@ -85,7 +87,7 @@ pub fn symplecticity(contestant: &Contestant, system: &System, rungs: &[Rung]) -
             defect = super::larger(defect, (after - before).abs() / (momentum * unit * unit)); // (3)
         }
     }
-    Some(Symplecticity { step, defect })
+    Some(Symplecticity { step, defect, unit })
 }
 
 /// ω.
