@@ -119,6 +119,9 @@ pub struct SchemeRow {
     pub claims: Vec<String>,
     /// Keys in references/bibliography.bib.
     pub source: String,
+    /// True where the scheme stands in rankings and tables of verdicts alone, and is not drawn beside the main ones.
+    #[serde(default)]
+    pub apart: bool,
 }
 
 /// One number of one run.
@@ -314,6 +317,33 @@ pub enum RecordError {
 }
 
 impl Records {
+    /// Takes in what another campaign measured on some of the same scenes with other schemes. What it says of the references is
+    /// already here.
+    pub fn take_in(&mut self, other: Records) {
+        self.complete &= other.complete;
+        self.schemes.extend(other.schemes);
+        self.measurements.extend(other.measurements);
+        self.orders.extend(other.orders);
+        self.drifts.extend(other.drifts);
+        self.series.extend(other.series);
+        let judged = self.verdicts.clone();
+        self.verdicts.extend(other.verdicts.into_iter().filter(|verdict| !judged.contains(verdict)));
+    }
+
+    /// Without the schemes that stand apart.
+    pub fn without_apart(&self) -> Records {
+        let apart: Vec<&str> = self.schemes.iter().filter(|s| s.apart).map(|s| s.name.as_str()).collect();
+        let mut kept = self.clone();
+        let keep = |scheme: &str| !apart.contains(&scheme);
+        kept.schemes.retain(|row| keep(&row.name));
+        kept.measurements.retain(|row| keep(&row.scheme));
+        kept.orders.retain(|row| keep(&row.scheme));
+        kept.drifts.retain(|row| keep(&row.scheme));
+        kept.verdicts.retain(|row| keep(&row.scheme));
+        kept.series.retain(|row| keep(&row.scheme));
+        kept
+    }
+
     /// Reads `records.json`.
     ///
     /// # Errors

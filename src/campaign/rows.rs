@@ -26,6 +26,7 @@ pub(super) fn scheme(card: &Card) -> SchemeRow {
         evaluations: card.evaluations(),
         claims: card.claims.iter().map(Claim::to_string).collect(),
         source: card.source.to_owned(),
+        apart: false,
     }
 }
 

@@ -5,10 +5,14 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::Failure;
-use super::gate::{measure, progress_bar};
+use super::gate::{measure, measure_with, progress_bar};
 use super::select::Selection;
 use crate::gates::{self, Baseline};
+use crate::record::Records;
 use crate::report;
+use crate::scenes::Scene;
+use crate::schemes;
+use crate::simulate::Contestant;
 
 /// Options of `polhode report`.
 #[derive(Args, Clone, Debug)]
@@ -39,8 +43,28 @@ Examples:
   polhode report --scene kovalevskaya --out top
   polhode report --scene my-body.toml --scheme peskin-rk2";
 
+/// Scenes on which every scheme is measured where none is named: free, held at a point under gravity, and under springs.
+const EVERY_SCHEME: [&str; 3] = ["free-asymmetric", "heavy-asymmetric-top", "tether-springs"];
+
+/// The selection, or the main schemes on every scene and all of them on three. Beside the main ones all others stand apart.
+fn records(options: &Options, quiet: bool) -> Result<Records, Failure> {
+    let selection = &options.selection;
+    let mut records = measure(selection, options.full, Baseline::built_in(), true, quiet)?;
+    let main: Vec<&str> = schemes::MAIN.to_vec();
+    if options.full {
+        records.schemes.iter_mut().for_each(|row| row.apart = !main.contains(&row.name.as_str()));
+    } else if selection.is_default() {
+        let others = Contestant::all().into_iter().filter(|c| !main.contains(&c.card.name)).collect();
+        let scenes = EVERY_SCHEME.iter().map(|name| Scene::find(name)).collect::<Result<_, _>>()?;
+        let mut more = measure_with(scenes, others, Baseline::built_in(), false, quiet);
+        more.schemes.iter_mut().for_each(|row| row.apart = true);
+        records.take_in(more);
+    }
+    Ok(records)
+}
+
 pub(super) fn report(options: &Options, quiet: bool) -> Result<u8, Failure> {
-    let records = measure(&options.selection, options.full, Baseline::built_in(), true, quiet)?;
+    let records = records(options, quiet)?;
     let bar = progress_bar(quiet, "drawing");
     let progress = |done: usize, all: usize| {
         bar.set_length(all as u64);

@@ -23,6 +23,11 @@ impl Selection {
         Selection { schemes: Vec::new(), scenes }
     }
 
+    /// Whether nothing was named.
+    pub(super) fn is_default(&self) -> bool {
+        self.schemes.is_empty() && self.scenes.is_empty()
+    }
+
     /// The schemes that were named, all where `full`, or the main ones.
     pub(super) fn contestants(&self, full: bool) -> Result<Vec<Contestant>, Failure> {
         if self.schemes.is_empty() && !full {

@@ -10,6 +10,7 @@ mod markdown;
 mod number;
 mod page;
 mod plot;
+mod ranking;
 mod survey;
 mod template;
 mod text;
@@ -68,7 +69,7 @@ pub fn write(
     write_whole(&out.join("records.json"), records.to_json().as_bytes())?;
     write_whole(&out.join("records.csv"), records.to_csv().as_bytes())?;
     let figures = write_pictures(records, &plot::subjects(records), &out.join("plots"), progress)?;
-    let page = page::compose(records, &figures);
+    let page = page::compose(records, &records.without_apart(), &figures);
     write_page(&out.join("report.md"), markdown::render(&page))?;
     write_page(&out.join("index.html"), html::render(&page))
 }
@@ -86,7 +87,8 @@ pub fn write_brief(
     let brief = Records { measurements: Vec::new(), series: Vec::new(), ..records.clone() };
     write_whole(&out.join("records.json"), brief.to_json().as_bytes())?;
     let figures = write_pictures(records, &plot::key_subjects(records), &out.join("plots"), progress)?;
-    write_page(&out.join("report.md"), markdown::render(&page::compose(records, &figures)))
+    let page = page::compose(records, &records.without_apart(), &figures);
+    write_page(&out.join("report.md"), markdown::render(&page))
 }
 
 fn write_page(path: &Path, text: Result<String, minijinja::Error>) -> Result<(), ReportError> {
@@ -102,10 +104,11 @@ fn write_pictures(
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Vec<Figure>, ReportError> {
     let done = AtomicUsize::new(0);
+    let drawn = records.without_apart();
     let one = |subject: &Subject| {
         let path = folder.join(subject.file_name());
         let fault = |plot::Fault(why)| ReportError::Picture { path: path.clone(), why };
-        let figure = match plot::lay_out(records, subject).map_err(fault)? {
+        let figure = match plot::lay_out(records, &drawn, subject).map_err(fault)? {
             Some(picture) => Some(write_picture(&picture, &path)?),
             None => None,
         };

@@ -35,6 +35,7 @@ fn scheme_rows() -> Vec<SchemeRow> {
         evaluations,
         claims: vec![format!("order {order} in every quantity"), "L constant without torque".into()],
         source: "peskin2021, steps (1)–(8)".into(),
+        apart: false,
     };
     vec![
         card("peskin-rk2", "Peskin's two-stage scheme", 2, 2),

@@ -1,5 +1,6 @@
 //! What the HTML and the Markdown report say: every number already in print, with its unit and uncertainty.
 
+mod rankings;
 mod scene;
 mod tables;
 
@@ -36,6 +37,7 @@ pub(super) struct Page {
     orders: Vec<tables::OrderSummary>,
     drift_figure: Option<FigureView>,
     drifts: Vec<tables::DriftRow>,
+    overall: Vec<rankings::Overall>,
     scenes: Vec<scene::Scene>,
 }
 
@@ -103,13 +105,14 @@ fn measured(verdict: &Verdict) -> String {
     }
 }
 
-/// Composes the report from the records and the pictures drawn from them.
-pub(super) fn compose(records: &Records, figures: &[Figure]) -> Page {
+/// Composes the report from the records and the pictures drawn from them. `main` is the records without the schemes that stand
+/// apart.
+pub(super) fn compose(records: &Records, main: &Records, figures: &[Figure]) -> Page {
     let counts = survey::tally(records.verdicts.iter());
     let mut attention: Vec<&Verdict> =
         records.verdicts.iter().filter(|verdict| Outcome::of(verdict).needs_attention()).collect();
     attention.sort_by_key(|verdict| Outcome::of(verdict));
-    let (order_quantities, orders) = tables::order_summary(records);
+    let (order_quantities, orders) = tables::order_summary(main);
     Page {
         version: records.polhode.clone(),
         made_at: records.made_at.clone(),
@@ -135,10 +138,11 @@ pub(super) fn compose(records: &Records, figures: &[Figure]) -> Page {
             &Subject::DriftRates,
             "Drift rate of the rotational energy against the step.",
         ),
-        drifts: records.drifts.iter().map(tables::DriftRow::new).collect(),
+        drifts: main.drifts.iter().map(tables::DriftRow::new).collect(),
+        overall: rankings::overall(records),
         scenes: survey::scenes(records)
             .into_iter()
-            .map(|name| scene::Scene::new(records, figures, name))
+            .map(|name| scene::Scene::new(main, figures, name, rankings::Ranking::new(records, name)))
             .collect(),
     }
 }

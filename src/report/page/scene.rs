@@ -6,6 +6,7 @@ use crate::record::{Measurement, Records, ReferenceRow, SceneRow};
 use crate::report::plot::Subject;
 use crate::report::{number, survey};
 
+use super::rankings::Ranking;
 use super::tables::{DriftRow, OrderRow, cost};
 use super::{Figure, FigureView, VerdictRow, figure};
 
@@ -21,6 +22,7 @@ pub(super) struct Scene {
     schemes: Vec<String>,
     costs: Vec<String>,
     figures: Vec<FigureView>,
+    ranking: Option<Ranking>,
     orders: Vec<OrderRow>,
     drifts: Vec<DriftRow>,
     measures: Vec<Measure>,
@@ -59,7 +61,7 @@ struct Measure {
 }
 
 impl Scene {
-    pub(super) fn new(records: &Records, figures: &[Figure], name: &str) -> Scene {
+    pub(super) fn new(records: &Records, figures: &[Figure], name: &str, ranking: Option<Ranking>) -> Scene {
         let verdicts = records.verdicts.iter().filter(|row| row.scene == name);
         let worst = verdicts.clone().map(survey::Outcome::of).min();
         let rows: Vec<&Measurement> = records.measurements.iter().filter(|row| row.scene == name).collect();
@@ -73,6 +75,7 @@ impl Scene {
             card: survey::scene(records, name).map(Card::new),
             costs: costs(records, name, &schemes),
             figures: scene_figures(figures, name),
+            ranking,
             orders: records
                 .orders
                 .iter()
@@ -137,9 +140,11 @@ impl Reference {
 fn scene_figures(figures: &[Figure], name: &str) -> Vec<FigureView> {
     let convergence = "Error at the end of the run against the time step.";
     let invariants = "Change of energy and angular momentum against time.";
+    let work = "Error at the end of the run against work.";
     let views = [
         figure(figures, &Subject::Convergence(name.into()), convergence),
         figure(figures, &Subject::Invariants(name.into()), invariants),
+        figure(figures, &Subject::WorkPrecision(name.into()), work),
     ];
     views.into_iter().flatten().collect()
 }

@@ -15,6 +15,7 @@ mod palette;
 mod panel;
 mod render;
 mod sketch;
+mod work_precision;
 
 use std::path::Path;
 
@@ -36,6 +37,8 @@ pub(super) enum Subject {
     Convergence(String),
     /// Invariants of one scene against time.
     Invariants(String),
+    /// Errors of every scheme on one scene against its work.
+    WorkPrecision(String),
 }
 
 impl Subject {
@@ -46,6 +49,7 @@ impl Subject {
             Subject::DriftRates => "drift-rates.png".into(),
             Subject::Convergence(scene) => format!("{}-convergence.png", survey::file_stem(scene)),
             Subject::Invariants(scene) => format!("{}-invariants.png", survey::file_stem(scene)),
+            Subject::WorkPrecision(scene) => format!("{}-work-precision.png", survey::file_stem(scene)),
         }
     }
 }
@@ -75,6 +79,7 @@ pub(super) fn subjects(records: &Records) -> Vec<Subject> {
     for scene in survey::scenes(records) {
         subjects.push(Subject::Convergence(scene.into()));
         subjects.push(Subject::Invariants(scene.into()));
+        subjects.push(Subject::WorkPrecision(scene.into()));
     }
     subjects
 }
@@ -87,18 +92,23 @@ pub(super) fn key_subjects(records: &Records) -> Vec<Subject> {
     [Subject::Overview, Subject::DriftRates].into_iter().chain(typical).collect()
 }
 
-/// Lays a picture out; `None` where the records hold nothing to draw.
+/// Lays a picture out; `None` where the records hold nothing to draw. `main` is the records without the schemes that stand apart.
 ///
 /// # Errors
 /// The bundled typeface cannot be read.
-pub(super) fn lay_out(records: &Records, subject: &Subject) -> Result<Option<Picture>, Fault> {
+pub(super) fn lay_out(
+    records: &Records,
+    main: &Records,
+    subject: &Subject,
+) -> Result<Option<Picture>, Fault> {
     font::register().map_err(|why| Fault(why.into()))?;
-    let palette = Palette::new(survey::measured_schemes(records));
+    let palette = Palette::new(survey::measured_schemes(main));
     let sketch = match subject {
-        Subject::Overview => overview::sketch(records, &palette),
-        Subject::DriftRates => drift::sketch(records, &palette),
-        Subject::Convergence(scene) => convergence::sketch(records, &palette, scene),
-        Subject::Invariants(scene) => invariants::sketch(records, &palette, scene),
+        Subject::Overview => overview::sketch(main, &palette),
+        Subject::DriftRates => drift::sketch(main, &palette),
+        Subject::Convergence(scene) => convergence::sketch(main, &palette, scene),
+        Subject::Invariants(scene) => invariants::sketch(main, &palette, scene),
+        Subject::WorkPrecision(scene) => work_precision::sketch(records, scene),
     };
     Ok(sketch.map(|sketch| Picture { subject: subject.clone(), sketch }))
 }
