@@ -18,7 +18,7 @@ const EDGES: &[(&str, &[&str])] = &[
     ("reference", &["model", "rotation"]),
     ("scenes", &["model", "rotation", "reference"]),
     ("simulate", &["interrupt", "model", "rotation", "schemes"]),
-    ("metrics", &["model", "reference", "regression", "rotation", "simulate"]),
+    ("metrics", &["claim", "model", "reference", "regression", "rotation", "simulate"]),
     ("gates", &["claim", "metrics", "model", "record", "reference", "regression", "rotation", "schemes"]),
     (
         "campaign",
