@@ -218,6 +218,12 @@ impl Body {
         (0..3).any(|i| (self.moments[i] - self.moments[(i + 1) % 3]).abs() <= rounding)
     }
 
+    /// Whether a second moment of the mass, ½ tr I − I, is zero to rounding: a plate.
+    pub fn flat(&self) -> bool {
+        let second = Vector3::repeat(self.moments.sum() / 2.0) - self.moments;
+        second.iter().any(|moment| moment.abs() <= 1e-12 * self.moments.amax())
+    }
+
     /// Length scale of the body [m]: the farthest mass point from the origin, or the largest radius of gyration.
     pub fn extent(&self) -> f64 {
         let farthest = self.points.iter().map(|p| rotation::length(&p.position)).fold(0.0, f64::max);

@@ -113,6 +113,8 @@ pub trait TurningScheme: 'static {
     const TAKES_VELOCITY_FORCES: bool;
     /// Whether the body may be a rod or a point, whose moments are not all above zero.
     const TAKES_RODS: bool;
+    /// Whether the body may be flat, with a second moment of its mass that is zero.
+    const TAKES_PLATES: bool = true;
     /// Whether L is constant without torque, so that a model may leave it out of the state.
     const KEEPS_MOMENTUM: bool = true;
 
@@ -230,6 +232,8 @@ list! {
     strang_symmetric::StrangSymmetric,
     exact_rotor::ExactRotor,
     no_squish::NoSquish,
+    rattle::Rattle,
+    omelyan_leapfrog::OmelyanLeapfrog,
     moser_veselov::MoserVeselov,
     moser_veselov_4::MoserVeselov4,
     moser_veselov_6::MoserVeselov6,
@@ -251,6 +255,7 @@ list! {
     simo_wong::SimoWong,
     buss_augmented::BussAugmented,
     lie_verlet::LieVerlet,
+    generalized_alpha::GeneralizedAlpha,
     gauss_legendre_4::GaussLegendre4,
     gauss_legendre_6::GaussLegendre6,
     cf4::Cf4,

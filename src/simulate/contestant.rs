@@ -47,12 +47,13 @@ struct Limits {
     reduced: bool,
     velocity_forces: bool,
     rods: bool,
+    plates: bool,
 }
 
 impl Contestant {
     /// A scheme of any crate.
     pub fn new<S: Scheme>() -> Contestant {
-        let limits = Limits { points: true, reduced: true, velocity_forces: true, rods: true };
+        let limits = Limits { points: true, reduced: true, velocity_forces: true, rods: true, plates: true };
         Contestant { card: S::CARD, run: Arc::new(run_on_any_model::<S>), limits }
     }
 
@@ -63,13 +64,14 @@ impl Contestant {
             reduced: true,
             velocity_forces: S::TAKES_VELOCITY_FORCES,
             rods: S::TAKES_RODS,
+            plates: S::TAKES_PLATES,
         };
         Contestant { card: S::CARD, run: Arc::new(run_in_body_axes::<S>), limits }
     }
 
     /// A scheme for the mass points alone, of any crate.
     pub fn points<S: PointScheme>() -> Contestant {
-        let limits = Limits { points: true, reduced: false, velocity_forces: true, rods: true };
+        let limits = Limits { points: true, reduced: false, velocity_forces: true, rods: true, plates: true };
         Contestant { card: S::CARD, run: Arc::new(run_on_points::<S>), limits }
     }
 
@@ -84,7 +86,7 @@ impl Contestant {
         card: Card,
         run: impl Fn(&System, Form, &Plan, &mut dyn FnMut(&Snapshot)) -> Outcome + Send + Sync + 'static,
     ) -> Contestant {
-        let limits = Limits { points: true, reduced: true, velocity_forces: true, rods: true };
+        let limits = Limits { points: true, reduced: true, velocity_forces: true, rods: true, plates: true };
         Contestant { card, run: Arc::new(run), limits }
     }
 
@@ -98,6 +100,11 @@ impl Contestant {
         if !self.limits.rods && system.body.shape != Shape::Extended {
             return Some(
                 "a moment of inertia is zero (a rod or a single point), and the scheme divides by it",
+            );
+        }
+        if !self.limits.plates && system.body.flat() {
+            return Some(
+                "the body is flat: a second moment of its mass is zero, and the scheme divides by it",
             );
         }
         if !self.limits.reduced && system.body.points.is_empty() {

@@ -1,0 +1,131 @@
+//! The generalised-α method on the rotation group, with the spectral radius ρ = ½ at infinite frequency.
+//!
+//! In body axes, with v = Rᵀ Ω, v̇ = I⁻¹ (Rᵀ τ − v × I v) and an algorithmic acceleration a that is carried from step to step:
+//!
+//! (1)  R₁ = R₀ exp(h v₀ + h² ((½ − β) a₀ + β a₁))
+//! (2)  v₁ = v₀ + h ((1 − γ) a₀ + γ a₁)
+//! (3)  (1 − α_m) a₁ + α_m a₀ = (1 − α_f) v̇₁ + α_f v̇₀
+//! (4)  α_m = (2ρ − 1)/(ρ + 1),  α_f = ρ/(ρ + 1),  γ = ½ + α_f − α_m,  β = ¼ (γ + ½)²
+//! (5)  X_cm and U_cm likewise, in their own space;  a₀ = v̇₀ when a run starts
+//!
+//! Solved by fixed-point iteration. Source: chung1993 for (3) and (4); bruls2010 on groups. Second order; numerical damping of what
+//! turns by more than a radian a step.
+
+use nalgebra::Vector3;
+
+use super::iteration::until_settled;
+use super::{Card, TurningScheme, Workspace};
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
+use crate::model::{Broken, Motion, Rates, Turning};
+use crate::rotation::{Rotation, renormalized, turn};
+
+/// The generalised-α method on the rotation group.
+#[derive(Clone, Copy, Debug)]
+pub struct GeneralizedAlpha;
+
+/// ρ, the spectral radius at infinite frequency.
+const RADIUS: f64 = 0.5;
+const ALPHA_M: f64 = (2.0 * RADIUS - 1.0) / (RADIUS + 1.0); // (4)
+const ALPHA_F: f64 = RADIUS / (RADIUS + 1.0);
+const GAMMA: f64 = 0.5 + ALPHA_F - ALPHA_M;
+const BETA: f64 = 0.25 * (GAMMA + 0.5) * (GAMMA + 0.5);
+
+/// Accelerations of the rotation, body axes [rad/s²], and of the centre of mass [m/s²].
+#[derive(Clone, Copy)]
+struct Accelerations {
+    spin: Vector3<f64>,
+    velocity: Vector3<f64>,
+}
+
+impl Accelerations {
+    /// v̇ and F/M of rates at an attitude and L.
+    fn of<M: Turning>(model: &M, rates: &M::Rates, attitude: &Rotation, momentum: &Vector3<f64>) -> Self {
+        let in_body = attitude.inverse_transform_vector(momentum);
+        let inverse = model.rotational().inverse_moments;
+        let torque = attitude.inverse_transform_vector(&model.torque_of(rates));
+        let spin = (torque - inverse.component_mul(&in_body).cross(&in_body)).component_mul(&inverse);
+        Accelerations { spin, velocity: rates.motion().acceleration }
+    }
+
+    fn mixed(&self, part: f64, other: &Accelerations, rest: f64) -> Accelerations {
+        Accelerations {
+            spin: self.spin * part + other.spin * rest,
+            velocity: self.velocity * part + other.velocity * rest,
+        }
+    }
+
+    /// As rates, to be kept in the history.
+    fn kept<R: Rates>(&self) -> R {
+        let zero = Vector3::zeros();
+        R::of(Motion { spin: self.spin, velocity: zero, acceleration: self.velocity, torque: zero })
+    }
+
+    fn remembered<R: Rates>(rates: R) -> Accelerations {
+        let motion = rates.motion();
+        Accelerations { spin: motion.spin, velocity: motion.acceleration }
+    }
+}
+
+impl TurningScheme for GeneralizedAlpha {
+    const CARD: Card = Card {
+        name: "generalized-alpha",
+        title: "generalized-alpha on the rotation group, spectral radius 1/2",
+        family: "Lie group",
+        source: "chung1993; bruls2010",
+        claims: &[
+            Claim::Order(2),
+            Claim::Exact(Quantity::Velocity, When::ConstantForce),
+            Claim::Exact(Quantity::Position, When::ConstantForce),
+            Claim::Exact(Quantity::Orientation, When::SteadySpin),
+            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
+            Claim::Rigid,
+            Claim::Equivariant,
+            Claim::Solves(1),
+        ],
+    };
+    const STATES: usize = 1;
+    const TAKES_VELOCITY_FORCES: bool = true;
+    const TAKES_RODS: bool = false;
+    const KEEPS_MOMENTUM: bool = false;
+
+    fn step<M: Turning>(
+        model: &M,
+        t: f64,
+        h: f64,
+        from: &M::State,
+        to: &mut M::State,
+        work: &mut Workspace<M>,
+    ) -> Result<(), Broken> {
+        let body = model.rotational();
+        let (attitude0, momentum0) = (model.attitude(from), model.momentum(from));
+        let v0 = body.inverse_moments.component_mul(&attitude0.inverse_transform_vector(&momentum0));
+        let k0 = model.rates(t, from)?;
+        let velocity0 = k0.motion().velocity;
+        let true0 = Accelerations::of(model, &k0, &attitude0, &momentum0);
+        let a0 = work.history.pop().map_or(true0, Accelerations::remembered); // (5)
+        let before = &mut work.states[0];
+        let mut a1 = a0;
+        to.clone_from(from);
+        until_settled(model, || {
+            let (mean, change) = (a0.mixed(0.5 - BETA, &a1, BETA), a0.mixed(1.0 - GAMMA, &a1, GAMMA));
+            std::mem::swap(to, before);
+            let rates = M::Rates::of(Motion {
+                spin: Vector3::zeros(),
+                velocity: velocity0 + mean.velocity * h,
+                acceleration: change.velocity,
+                torque: Vector3::zeros(),
+            });
+            model.advance(from, h, &rates, to); // (5)
+            let attitude = renormalized(attitude0 * turn(&((v0 + mean.spin * h) * h))); // (1)
+            let momentum = attitude * body.moments.component_mul(&(v0 + change.spin * h)); // (2)
+            model.place(to, attitude, momentum);
+            let true1 = Accelerations::of(model, &model.rates(t + h, to)?, &attitude, &momentum);
+            let right = true1.mixed(1.0 - ALPHA_F, &true0, ALPHA_F);
+            a1 = right.mixed(1.0 / (1.0 - ALPHA_M), &a0, -ALPHA_M / (1.0 - ALPHA_M)); // (3)
+            Ok(model.apart(to, before))
+        })?;
+        work.history.push(a1.kept());
+        Ok(())
+    }
+}
