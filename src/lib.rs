@@ -27,5 +27,9 @@ pub mod simulate;
 pub mod metrics;
 pub mod gates;
 pub mod campaign;
+pub mod engine;
+pub mod assertion;
 pub mod report;
 pub mod cli;
+
+pub use assertion::assert_order;

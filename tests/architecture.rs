@@ -37,12 +37,15 @@ const EDGES: &[(&str, &[&str])] = &[
             "simulate",
         ],
     ),
+    ("engine", &["claim", "interrupt", "model", "reference", "rotation", "scenes", "schemes", "simulate"]),
+    ("assertion", &["campaign", "claim", "gates", "record", "scenes", "schemes", "simulate"]),
     ("report", &["record"]),
     (
         "cli",
         &[
             "campaign",
             "claim",
+            "engine",
             "gates",
             "interrupt",
             "metrics",

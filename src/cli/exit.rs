@@ -1,5 +1,6 @@
 //! Exit codes, and what they are given for.
 
+use crate::engine::{self, EngineError};
 use crate::interrupt;
 use crate::record::RecordError;
 use crate::report::ReportError;
@@ -40,8 +41,8 @@ pub enum Failure {
         source: std::io::Error,
     },
     /// An engine that cannot be run.
-    #[error("{0}")]
-    Engine(String),
+    #[error(transparent)]
+    Engine(#[from] EngineError),
     /// A scene that has no point form, asked for one.
     #[error("{0}")]
     Model(String),
@@ -64,6 +65,7 @@ impl Failure {
 pub(super) fn listen_to_interrupts() -> Result<(), Failure> {
     ctrlc::set_handler(|| {
         if interrupt::request() {
+            engine::end_all();
             std::process::exit(i32::from(INTERRUPTED));
         }
         eprintln!("\npolhode: interrupted; writing what was measured (again to end at once)");

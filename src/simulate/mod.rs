@@ -65,6 +65,14 @@ pub struct Outcome {
 }
 
 impl Outcome {
+    /// Why the scheme cannot take the scene, where a foreign program said so when it was asked.
+    pub fn refusal(&self) -> Option<&str> {
+        match &self.broken {
+            Some(Break { why: Broken::Refused(reason), .. }) => Some(reason),
+            _ => None,
+        }
+    }
+
     /// Of a run that cannot start.
     fn none(why: Broken) -> Outcome {
         let broken = Some(Break { step: 0, time: 0.0, why });
