@@ -28,6 +28,7 @@ pub mod metrics;
 pub mod gates;
 pub mod campaign;
 pub mod engine;
+pub mod judge;
 pub mod assertion;
 pub mod report;
 pub mod cli;

@@ -38,6 +38,7 @@ const EDGES: &[(&str, &[&str])] = &[
         ],
     ),
     ("engine", &["claim", "interrupt", "model", "reference", "rotation", "scenes", "schemes", "simulate"]),
+    ("judge", &["model", "record", "reference", "rotation", "scenes"]),
     ("assertion", &["campaign", "claim", "gates", "record", "scenes", "schemes", "simulate"]),
     ("report", &["record"]),
     (
@@ -48,6 +49,7 @@ const EDGES: &[(&str, &[&str])] = &[
             "engine",
             "gates",
             "interrupt",
+            "judge",
             "metrics",
             "model",
             "record",

@@ -2,6 +2,7 @@
 
 use crate::engine::{self, EngineError};
 use crate::interrupt;
+use crate::judge::JudgeError;
 use crate::record::RecordError;
 use crate::report::ReportError;
 use crate::scenes::SceneError;
@@ -43,6 +44,9 @@ pub enum Failure {
     /// An engine that cannot be run.
     #[error(transparent)]
     Engine(#[from] EngineError),
+    /// A trajectory file.
+    #[error(transparent)]
+    Judge(#[from] JudgeError),
     /// A scene that has no point form, asked for one.
     #[error("{0}")]
     Model(String),
@@ -54,7 +58,10 @@ impl Failure {
         match self {
             Failure::Engine(_) => ENGINE,
             Failure::Usage(_) | Failure::Scene(SceneError::Unknown { .. }) => USAGE,
-            Failure::Scene(SceneError::Unreadable { .. }) => FILE,
+            Failure::Scene(SceneError::Unreadable { .. }) | Failure::Judge(JudgeError::Unreadable { .. }) => {
+                FILE
+            }
+            Failure::Judge(JudgeError::Content { .. }) => BAD_INPUT,
             Failure::Scene(_) | Failure::Record(RecordError::Format { .. }) | Failure::Model(_) => BAD_INPUT,
             Failure::Record(RecordError::File { .. }) | Failure::Report(_) | Failure::Write { .. } => FILE,
         }

@@ -4,6 +4,7 @@ mod compare;
 mod engine;
 mod exit;
 mod gate;
+mod judge;
 mod list;
 mod report;
 mod run;
@@ -71,6 +72,8 @@ enum Command {
     Run(run::Options),
     /// Write a minimal foreign engine, or check that one keeps to the protocol
     Engine(engine::Options),
+    /// Judge a trajectory that another program wrote
+    Judge(judge::Options),
     /// List what there is
     List(list::Options),
 }
@@ -111,6 +114,7 @@ fn dispatch(arguments: Arguments) -> Result<u8, Failure> {
         Command::Compare(options) => compare::compare(&options, everywhere.quiet),
         Command::Run(options) => run::run(&options),
         Command::Engine(options) => engine::engine(&options),
+        Command::Judge(options) => judge::judge(&options),
         Command::List(options) => list::list(&options),
     }?;
     Ok(if crate::interrupt::requested() { exit::INTERRUPTED } else { code })
