@@ -31,6 +31,9 @@ const SAME_START: f64 = 1e-5;
 /// stays below it, a wrong frame does not.
 const OTHER_MOTION: f64 = 0.05;
 
+/// Difference of two ends of one run that rounding, and an error control that begins anew, explain.
+const SAME_END: f64 = 1e-9;
+
 /// A free asymmetric body, turned, off the origin, spinning off every axis: no frame can be mistaken for another.
 const FREE: &str = "name = \"check\"\nduration = 1.0\n[body]\nmass = 2.0\n\
     inertia = [[1.0, 0.1, 0.0], [0.1, 2.0, 0.2], [0.0, 0.2, 2.5]]\nPIVOT\n[initial]\nposition = [1.0, -2.0, 0.5]\n\
@@ -114,6 +117,8 @@ impl Inquiry {
                 found,
             );
         }
+        let found = self.looks_without_touching(&free);
+        self.finds("which states are asked for does not change them", found);
         self.laws(hello);
         let found = self.survives("", "pivot = [0.1, 0.2, -0.3]");
         self.finds("a scene that it cannot take is refused with a reason: a pivot", found);
@@ -170,6 +175,17 @@ impl Inquiry {
         );
         let largest = [position, velocity, orientation, spin].into_iter().fold(0.0, f64::max);
         if largest < OTHER_MOTION { Ok(seen) } else { Err(format!("{seen}: that is another motion")) }
+    }
+
+    /// The end of a run that is looked at often beside that of one that is not.
+    fn looks_without_touching(&mut self, free: &System) -> Result<String, String> {
+        let (often, once) = (self.run(free, 100, 1)?, self.run(free, 100, 100)?);
+        let (Some(a), Some(b)) = (often.states.last(), once.states.last()) else {
+            return Err("there is no state".to_owned());
+        };
+        let apart = difference(&free.body, a, b).into_iter().fold(0.0, f64::max);
+        let seen = format!("the end of a run with every 1 and with every 100 differ by {apart:.1e}");
+        if apart <= SAME_END { Ok(seen) } else { Err(seen) }
     }
 
     fn laws(&mut self, hello: &Hello) {
