@@ -27,5 +27,10 @@ pub mod simulate;
 pub mod metrics;
 pub mod gates;
 pub mod campaign;
+pub mod engine;
+pub mod judge;
+pub mod assertion;
 pub mod report;
 pub mod cli;
+
+pub use assertion::assert_order;

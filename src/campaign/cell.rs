@@ -38,7 +38,7 @@ pub(super) fn measure(
 ) -> Cell {
     let system = &scene.system;
     if let Some(reason) = contestant.refusal(system) {
-        return refused(scene, contestant, reason);
+        return refused(scene, contestant, &reason);
     }
     let fastest = fastest(reference);
     let evidence = metrics::climb(
@@ -48,6 +48,9 @@ pub(super) fn measure(
         claimed_order(contestant, system),
         scene.not_for_order.is_none(),
     );
+    if let Some(reason) = evidence.refusal() {
+        return refused(scene, contestant, reason);
+    }
     let drift = metrics::energy_drift(contestant, system, scene.duration);
     let points = metrics::point_run(contestant, system, scene.duration, fastest);
     let asked = contestant.card.claims.contains(&Claim::FlipTimes);

@@ -1,6 +1,8 @@
 //! Exit codes, and what they are given for.
 
+use crate::engine::{self, EngineError};
 use crate::interrupt;
+use crate::judge::JudgeError;
 use crate::record::RecordError;
 use crate::report::ReportError;
 use crate::scenes::SceneError;
@@ -40,8 +42,11 @@ pub enum Failure {
         source: std::io::Error,
     },
     /// An engine that cannot be run.
-    #[error("{0}")]
-    Engine(String),
+    #[error(transparent)]
+    Engine(#[from] EngineError),
+    /// A trajectory file.
+    #[error(transparent)]
+    Judge(#[from] JudgeError),
     /// A scene that has no point form, asked for one.
     #[error("{0}")]
     Model(String),
@@ -53,7 +58,10 @@ impl Failure {
         match self {
             Failure::Engine(_) => ENGINE,
             Failure::Usage(_) | Failure::Scene(SceneError::Unknown { .. }) => USAGE,
-            Failure::Scene(SceneError::Unreadable { .. }) => FILE,
+            Failure::Scene(SceneError::Unreadable { .. }) | Failure::Judge(JudgeError::Unreadable { .. }) => {
+                FILE
+            }
+            Failure::Judge(JudgeError::Content { .. }) => BAD_INPUT,
             Failure::Scene(_) | Failure::Record(RecordError::Format { .. }) | Failure::Model(_) => BAD_INPUT,
             Failure::Record(RecordError::File { .. }) | Failure::Report(_) | Failure::Write { .. } => FILE,
         }
@@ -64,6 +72,7 @@ impl Failure {
 pub(super) fn listen_to_interrupts() -> Result<(), Failure> {
     ctrlc::set_handler(|| {
         if interrupt::request() {
+            engine::end_all();
             std::process::exit(i32::from(INTERRUPTED));
         }
         eprintln!("\npolhode: interrupted; writing what was measured (again to end at once)");

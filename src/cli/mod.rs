@@ -1,14 +1,17 @@
 //! The command line: one file a subcommand. Data goes to stdout, talk and progress to stderr.
 
 mod compare;
+mod engine;
 mod exit;
 mod gate;
+mod judge;
 mod list;
 mod report;
 mod run;
 mod select;
 
 use std::ffi::OsString;
+use std::time::Duration;
 
 use clap::{Args, Parser, Subcommand};
 
@@ -44,6 +47,17 @@ struct Everywhere {
     /// No progress and no talk on stderr
     #[arg(long, global = true)]
     quiet: bool,
+    /// Longest time that a foreign engine may take for an answer
+    #[arg(long, global = true, value_name = "SECONDS", default_value_t = 60.0, value_parser = seconds)]
+    engine_timeout: f64,
+}
+
+/// A time above zero.
+fn seconds(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(seconds) if seconds > 0.0 && seconds <= 1e9 => Ok(seconds),
+        _ => Err("expected a number of seconds above 0".to_owned()),
+    }
 }
 
 #[derive(Subcommand)]
@@ -56,6 +70,10 @@ enum Command {
     Compare(compare::Options),
     /// Run one scheme in one scene and write its states
     Run(run::Options),
+    /// Write a minimal foreign engine, or check that one keeps to the protocol
+    Engine(engine::Options),
+    /// Judge a trajectory that another program wrote
+    Judge(judge::Options),
     /// List what there is
     List(list::Options),
 }
@@ -88,12 +106,15 @@ fn dispatch(arguments: Arguments) -> Result<u8, Failure> {
             .build_global()
             .map_err(|error| Failure::Usage(format!("--jobs {jobs}: {error}")))?;
     }
+    crate::engine::set_patience(Duration::from_secs_f64(everywhere.engine_timeout));
     exit::listen_to_interrupts()?;
     let code = match arguments.command.unwrap_or(Command::Report(report::Options::default())) {
         Command::Report(options) => report::report(&options, everywhere.quiet),
         Command::Gate(options) => gate::gate(&options, everywhere.quiet),
         Command::Compare(options) => compare::compare(&options, everywhere.quiet),
         Command::Run(options) => run::run(&options),
+        Command::Engine(options) => engine::engine(&options),
+        Command::Judge(options) => judge::judge(&options),
         Command::List(options) => list::list(&options),
     }?;
     Ok(if crate::interrupt::requested() { exit::INTERRUPTED } else { code })

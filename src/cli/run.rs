@@ -79,7 +79,9 @@ pub(super) fn run(options: &Options) -> Result<u8, Failure> {
     let form = match options.model {
         ModelChoice::Points if !contestant.takes_points() => {
             let name = contestant.card.name;
-            return Err(Failure::Usage(format!("{name} lives in body axes and does not run on mass points")));
+            return Err(Failure::Usage(format!(
+                "{name} has a body of its own and does not run on mass points"
+            )));
         }
         ModelChoice::Points => Form::Points,
         ModelChoice::Least => Form::Least,
@@ -99,9 +101,12 @@ pub(super) fn run(options: &Options) -> Result<u8, Failure> {
         count: 0,
         failed: None,
         format: options.format,
+        heading: heading(options.format, &scene.name, contestant.card.name, &model, &plan),
     };
-    writer.open(&scene.name, contestant.card.name, &model).map_err(fail)?;
     let outcome = contestant.stream(&scene.system, form, &plan, &mut |snapshot| writer.push(snapshot));
+    if let Some(reason) = outcome.refusal() {
+        return Err(Failure::Model(format!("{} cannot take {}: {reason}", contestant.card.name, scene.name)));
+    }
     writer.close(&outcome).map_err(fail)?;
     drop(sink);
     if let Some(path) = &options.out {
@@ -158,24 +163,29 @@ struct StateWriter<'a> {
     count: u64,
     failed: Option<io::Error>,
     format: Format,
+    /// What stands before the first state, until it is written.
+    heading: String,
 }
 
 const CSV_HEADER: &str =
     "step,t,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz,lx,ly,lz,kinetic_energy_j,potential_energy_j";
 
+fn heading(format: Format, scene: &str, scheme: &str, model: &AnyModel, plan: &Plan) -> String {
+    match format {
+        Format::Csv => format!("{CSV_HEADER}\n"),
+        Format::Json => format!(
+            "{{\n  \"schema\": \"polhode/run/1\",\n  \"scene\": {},\n  \"scheme\": {},\n  \"model\": {},\n  \"step_s\": {},\n  \"states\": [",
+            json!(scene),
+            json!(scheme),
+            json!(model.name()),
+            json!(plan.step)
+        ),
+    }
+}
+
 impl StateWriter<'_> {
-    fn open(&mut self, scene: &str, scheme: &str, model: &AnyModel) -> io::Result<()> {
-        match self.format {
-            Format::Csv => writeln!(self.sink, "{CSV_HEADER}"),
-            Format::Json => write!(
-                self.sink,
-                "{{\n  \"schema\": \"polhode/run/1\",\n  \"scene\": {},\n  \"scheme\": {},\n  \"model\": {},\n  \"step_s\": {},\n  \"states\": [",
-                json!(scene),
-                json!(scheme),
-                json!(model.name()),
-                json!(self.plan.step)
-            ),
-        }
+    fn open(&mut self) -> io::Result<()> {
+        write!(self.sink, "{}", std::mem::take(&mut self.heading))
     }
 
     /// Takes a state; a sink that fails is told about at the end.
@@ -190,6 +200,7 @@ impl StateWriter<'_> {
     }
 
     fn write(&mut self, s: &Snapshot) -> io::Result<()> {
+        self.open()?;
         let step = (s.time / self.plan.step).round() as u64;
         let q = s.orientation.quaternion();
         let kinetic = self.system.kinetic_energy(s);
@@ -226,6 +237,7 @@ impl StateWriter<'_> {
         if let Some(error) = self.failed.take() {
             return Err(error);
         }
+        self.open()?;
         if let Format::Json = self.format {
             let status = if outcome.broken.is_some() { "broken" } else { "ok" };
             let why = outcome.broken.as_ref().map(ToString::to_string);

@@ -3,6 +3,7 @@
 use clap::Args;
 
 use super::Failure;
+use crate::engine::{self, Engine};
 use crate::scenes::{self, Scene};
 use crate::simulate::Contestant;
 
@@ -52,10 +53,8 @@ pub(super) fn contestant(name: &str) -> Result<Contestant, Failure> {
     let all = Contestant::all();
     let names: Vec<&str> = all.iter().map(|contestant| contestant.card.name).collect();
     let known = names.join(", ");
-    if name.starts_with("engine:") {
-        return Err(Failure::Engine(format!(
-            "{name}: this version runs no foreign engines; schemes: {known}"
-        )));
+    if let Some(command) = name.strip_prefix(engine::PREFIX) {
+        return Ok(Engine::open(command)?.contestant(name));
     }
     match all.iter().find(|contestant| contestant.card.name == name) {
         Some(contestant) => Ok(contestant.clone()),

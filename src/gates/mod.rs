@@ -108,8 +108,15 @@ pub fn judge(case: &Case) -> Vec<Verdict> {
         }
     }
     verdicts.extend(reduction::judge(case));
+    verdicts.extend(judge_without_order(case));
     deviations::apply(&mut verdicts);
     verdicts
+}
+
+/// A scheme that claims no order is not judged by its ladder; that its runs broke is said all the same.
+fn judge_without_order(case: &Case) -> Option<Verdict> {
+    let broken = case.evidence.rungs.iter().find_map(|rung| rung.outcome.broken.as_ref())?;
+    (case.card.order() == 0).then(|| ruled(case, "run", "all", Ruling::Broken, broken.to_string()))
 }
 
 /// The verdicts of a scheme that cannot take a scene: every claim not applicable, with the reason.

@@ -19,8 +19,6 @@ use crate::simulate::{Contestant, Form, Outcome, Plan, Trajectory};
 const FEWEST_RUNGS: usize = 6;
 /// Most rungs of a ladder.
 const MOST_RUNGS: usize = 20;
-/// Most steps of a rung.
-const MOST_STEPS: u64 = 1 << 20;
 /// Radians turned in a step of the coarsest rung, at most.
 const COARSEST_TURN: f64 = 0.4;
 /// Order from which on a run may have fewer steps than the reference has samples, …
@@ -128,6 +126,13 @@ pub struct Evidence {
     pub giant_steps: Vec<Rung>,
 }
 
+impl Evidence {
+    /// Why the scheme cannot take the scene, where that was known only when it was asked.
+    pub fn refusal(&self) -> Option<&str> {
+        self.rungs.iter().find_map(|rung| rung.outcome.refusal())
+    }
+}
+
 /// Runs a ladder. `order` is the claimed one: the ladder grows finer until every quantity's order is settled, at
 /// its floor, or out of reach.
 ///
@@ -153,7 +158,7 @@ pub fn climb(
     let turned =
         reference.states.iter().map(|s| rotation::length(&s.angular_velocity)).fold(0.0, f64::max) * duration;
     let mut first = if order < HIGH_ORDER { samples } else { 2 * samples };
-    while turned / first as f64 > coarsest && first << FEWEST_RUNGS <= MOST_STEPS {
+    while turned / first as f64 > coarsest && first << FEWEST_RUNGS <= contestant.most_steps() {
         first *= 2;
     }
     let growth = rounding_growth(contestant, system, reference, first * 4);
@@ -169,12 +174,16 @@ pub fn climb(
     let halving = if order < HIGH_ORDER { 1 } else { 2 };
     for index in 0..MOST_RUNGS {
         let steps = steps_of_rung(first, index, order);
-        if steps > MOST_STEPS && index >= FEWEST_RUNGS {
+        if steps > contestant.most_steps() && index >= FEWEST_RUNGS {
             break;
         }
         let floors = floors(reference, &growth, roundings(system, steps, turned));
         let (rung, states) = run_rung(contestant, system, reference, steps, floors, &before);
+        let refused = rung.outcome.refusal().is_some();
         evidence.rungs.push(rung);
+        if refused {
+            break;
+        }
         before = states;
         if index + 1 >= FEWEST_RUNGS {
             evidence.ladders = ladders(&evidence.rungs, order);
@@ -188,7 +197,7 @@ pub fn climb(
             earlier.push(evidence.ladders.clone());
         }
     }
-    if system.steady_spin() {
+    if system.steady_spin() && evidence.refusal().is_none() {
         evidence.giant_steps = giant_steps(contestant, system, reference, &growth, turned);
     }
     evidence

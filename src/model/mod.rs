@@ -68,6 +68,12 @@ pub enum Broken {
     /// The user asked for the end.
     #[error("interrupted")]
     Interrupted,
+    /// A foreign program broke the run, or broke itself.
+    #[error("{0}")]
+    Foreign(Box<str>),
+    /// A foreign program cannot take the scene.
+    #[error("{0}")]
+    Refused(Box<str>),
     /// I Ω = L has no solution.
     #[error("the inertia summed over the points is singular: I Ω = L has no solution")]
     Singular,

@@ -1,5 +1,6 @@
 //! What is put under test, and on which form of a scene it runs.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use super::{InBodyAxes, OnAnyModel, OnPoints, Outcome, Plan, Trajectory, run};
@@ -29,6 +30,12 @@ impl Form {
     }
 }
 
+/// Most steps of a run of a scheme …
+const MOST_STEPS: u64 = 1 << 20;
+/// … and of a foreign program, whose steps may cost a thousand times more.
+const MOST_FOREIGN_STEPS: u64 = 1 << 16;
+
+type Refusal = dyn Fn(&System) -> Option<String> + Send + Sync;
 type Run = dyn Fn(&System, Form, &Plan, &mut dyn FnMut(&Snapshot)) -> Outcome + Send + Sync;
 
 /// Something under test: a scheme of this or another crate, or a program of its own.
@@ -38,6 +45,8 @@ pub struct Contestant {
     pub card: Card,
     run: Arc<Run>,
     limits: Limits,
+    refusal: Option<Arc<Refusal>>,
+    most_steps: u64,
 }
 
 /// What a scheme takes.
@@ -50,29 +59,38 @@ struct Limits {
     plates: bool,
 }
 
+impl Limits {
+    /// Everything.
+    const NONE: Limits =
+        Limits { points: true, reduced: true, velocity_forces: true, rods: true, plates: true };
+}
+
 impl Contestant {
     /// A scheme of any crate.
     pub fn new<S: Scheme>() -> Contestant {
-        let limits = Limits { points: true, reduced: true, velocity_forces: true, rods: true, plates: true };
-        Contestant { card: S::CARD, run: Arc::new(run_on_any_model::<S>), limits }
+        Contestant::within(Limits::NONE, S::CARD, Arc::new(run_on_any_model::<S>))
+    }
+
+    fn within(limits: Limits, card: Card, run: Arc<Run>) -> Contestant {
+        Contestant { card, run, limits, refusal: None, most_steps: MOST_STEPS }
     }
 
     /// A scheme in body axes, of any crate.
     pub fn turning<S: TurningScheme>() -> Contestant {
         let limits = Limits {
             points: false,
-            reduced: true,
             velocity_forces: S::TAKES_VELOCITY_FORCES,
             rods: S::TAKES_RODS,
             plates: S::TAKES_PLATES,
+            ..Limits::NONE
         };
-        Contestant { card: S::CARD, run: Arc::new(run_in_body_axes::<S>), limits }
+        Contestant::within(limits, S::CARD, Arc::new(run_in_body_axes::<S>))
     }
 
     /// A scheme for the mass points alone, of any crate.
     pub fn points<S: PointScheme>() -> Contestant {
-        let limits = Limits { points: true, reduced: false, velocity_forces: true, rods: true, plates: true };
-        Contestant { card: S::CARD, run: Arc::new(run_on_points::<S>), limits }
+        let limits = Limits { reduced: false, ..Limits::NONE };
+        Contestant::within(limits, S::CARD, Arc::new(run_on_points::<S>))
     }
 
     /// Name of the model that stands for a scene in its least form.
@@ -86,31 +104,59 @@ impl Contestant {
         card: Card,
         run: impl Fn(&System, Form, &Plan, &mut dyn FnMut(&Snapshot)) -> Outcome + Send + Sync + 'static,
     ) -> Contestant {
-        let limits = Limits { points: true, reduced: true, velocity_forces: true, rods: true, plates: true };
-        Contestant { card, run: Arc::new(run), limits }
+        Contestant::within(Limits::NONE, card, Arc::new(run))
+    }
+
+    /// A program that is asked for whole runs and brings a body of its own; it may know scenes that it cannot take,
+    /// with the reason.
+    pub fn engine(
+        card: Card,
+        refusal: impl Fn(&System) -> Option<String> + Send + Sync + 'static,
+        run: impl Fn(&System, &Plan, &mut dyn FnMut(&Snapshot)) -> Outcome + Send + Sync + 'static,
+    ) -> Contestant {
+        let limits = Limits { points: false, ..Limits::NONE };
+        let run = move |system: &System, _: Form, plan: &Plan, store: &mut dyn FnMut(&Snapshot)| {
+            run(system, plan, store)
+        };
+        let most_steps = MOST_FOREIGN_STEPS;
+        Contestant {
+            refusal: Some(Arc::new(refusal)),
+            most_steps,
+            ..Contestant::within(limits, card, Arc::new(run))
+        }
     }
 
     /// Why the scheme cannot take a scene, if it cannot.
-    pub fn refusal(&self, system: &System) -> Option<&'static str> {
+    pub fn refusal(&self, system: &System) -> Option<Cow<'static, str>> {
+        if let Some(refusal) = &self.refusal {
+            return refusal(system).map(Cow::Owned);
+        }
         if !self.limits.velocity_forces && system.forces.read_velocity() {
-            return Some(
+            return Some(Cow::Borrowed(
                 "a force depends on a velocity, which a splitting into kicks and drifts cannot take",
-            );
+            ));
         }
         if !self.limits.rods && system.body.shape != Shape::Extended {
-            return Some(
+            return Some(Cow::Borrowed(
                 "a moment of inertia is zero (a rod or a single point), and the scheme divides by it",
-            );
+            ));
         }
         if !self.limits.plates && system.body.flat() {
-            return Some(
+            return Some(Cow::Borrowed(
                 "the body is flat: a second moment of its mass is zero, and the scheme divides by it",
-            );
+            ));
         }
         if !self.limits.reduced && system.body.points.is_empty() {
-            return Some("the scheme runs on mass points, and no positive masses have this body's inertia");
+            return Some(Cow::Borrowed(
+                "the scheme runs on mass points, and no positive masses have this body's inertia",
+            ));
         }
         None
+    }
+
+    /// Most steps that a run of a ladder may have.
+    pub fn most_steps(&self) -> u64 {
+        self.most_steps
     }
 
     /// Whether the scheme runs on the mass points.

@@ -69,13 +69,21 @@ pub struct Outcome {
 }
 
 impl Outcome {
+    /// Why the scheme cannot take the scene, where a foreign program said so when it was asked.
+    pub fn refusal(&self) -> Option<&str> {
+        match &self.broken {
+            Some(Break { why: Broken::Refused(reason), .. }) => Some(reason),
+            _ => None,
+        }
+    }
+
     /// Of a run that cannot start.
     fn none(why: Broken) -> Outcome {
         Outcome { broken: Some(Break { step: 0, time: 0.0, why }), ..Outcome::none_yet() }
     }
 
     /// Before the first step.
-    fn none_yet() -> Outcome {
+    pub fn none_yet() -> Outcome {
         Outcome { steps: 0, evaluations: 0, solves: 0, iterations: 0, nanoseconds: 0, broken: None }
     }
 }

@@ -142,7 +142,7 @@ fn run(
 ) -> Outcome {
     let copy = Copy::new(system, defect);
     let mut state = copy.start();
-    let mut outcome = Outcome { steps: 0, evaluations: 0, nanoseconds: 0, broken: None };
+    let mut outcome = Outcome::none_yet();
     for n in 0..=plan.steps {
         if n % plan.every == 0 || n == plan.steps {
             store(&copy.observe(n as f64 * plan.step, &state));

@@ -1,0 +1,73 @@
+"""Exudyn: a rigid body with a Lie-group node under its explicit rules and the generalised-α method, and one with Euler
+parameters under the latter."""
+
+from polhode_engine import serve
+from rotations import quaternion, turned
+
+from time import perf_counter_ns
+
+import exudyn
+import numpy
+from exudyn.utilities import RigidBodyInertia
+
+AXES = numpy.eye(3).tolist()
+
+
+def start(solver, node):
+    def begin(p):
+        system = exudyn.SystemContainer().AddSystem()
+        matrix = numpy.array([turned(p.orientation, axis) for axis in AXES]).T
+        made = system.CreateRigidBody(inertia=RigidBodyInertia(p.mass, numpy.array(p.inertia)), nodeType=node,
+                                      referencePosition=p.position, referenceRotationMatrix=matrix,
+                                      initialVelocity=p.velocity, initialAngularVelocity=p.angular_velocity,
+                                      gravity=p.gravity, returnDict=True)
+        system.Assemble()
+        settings = exudyn.SimulationSettings()
+        settings.solutionSettings.writeSolutionToFile = False
+        settings.solutionSettings.sensorsWritePeriod = 1e30
+        settings.timeIntegration.verboseMode = 0
+        settings.timeIntegration.generalizedAlpha.computeInitialAccelerations = True
+        settings.timeIntegration.newton.relativeTolerance = 1e-12
+        settings.timeIntegration.newton.absoluteTolerance = 1e-14
+        settings.timeIntegration.automaticStepSize = False
+        def observe():
+            read = lambda kind: system.GetNodeOutput(made["nodeNumber"], kind)
+            kinds = exudyn.OutputVariableType
+            return (read(kinds.Position), quaternion(read(kinds.RotationMatrix).reshape(3, 3)),
+                    read(kinds.Velocity), read(kinds.AngularVelocity))
+
+        def whole(steps, every):
+            # Generalised alpha begins anew where a run is stopped: it is looked at while it goes.
+            seen = []
+
+            def look(_, time):
+                step = round(time / p.step)
+                if step % every == 0 and (not seen or seen[-1][0] < step):
+                    seen.append((step, observe(), perf_counter_ns() - began))
+                return True
+
+            settings.timeIntegration.endTime = steps * p.step
+            settings.timeIntegration.numberOfSteps = steps
+            system.SetPreStepUserFunction(look)
+            seen.append((0, observe(), 0))
+            began = perf_counter_ns()
+            if not system.SolveDynamic(settings, solverType=solver, updateInitialValues=True, showHints=False):
+                raise RuntimeError("the solver gave up")
+            return [*(row for row in seen if row[0] < steps), (steps, observe(), perf_counter_ns() - began)]
+
+        return whole
+
+    return begin
+
+
+lie, parameters = exudyn.NodeType.RotationRotationVector, exudyn.NodeType.RotationEulerParameters
+kinds = exudyn.DynamicSolverType
+serve("exudyn", exudyn.__version__, {
+    "ExplicitEuler": (1, 1, start(kinds.ExplicitEuler, lie)),
+    "ExplicitMidpoint": (2, 2, start(kinds.ExplicitMidpoint, lie)),
+    "RK33": (3, 3, start(kinds.RK33, lie)),
+    "RK44": (4, 4, start(kinds.RK44, lie)),
+    "GeneralizedAlpha-Lie": (2, 0, start(kinds.GeneralizedAlpha, lie)),
+    "GeneralizedAlpha-EulerParameters": (2, 0, start(kinds.GeneralizedAlpha, parameters)),
+    "TrapezoidalIndex2-EulerParameters": (2, 0, start(kinds.TrapezoidalIndex2, parameters)),
+})

@@ -1,0 +1,106 @@
+//! `polhode engine`: write a minimal engine, and hold one against the protocol.
+
+use std::path::PathBuf;
+
+use clap::{Args, Subcommand, ValueEnum};
+
+use super::Failure;
+use crate::engine::{self, Language};
+use crate::record;
+
+/// Options of `polhode engine`.
+#[derive(Args, Clone, Debug)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Options {
+    #[command(subcommand)]
+    what: What,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  polhode engine new --language python --out engine.py
+  polhode engine check 'python3 engine.py'
+  polhode gate --scheme 'engine:python3 engine.py' --scene free-asymmetric
+
+Exit code of a check: 0 the engine keeps to the protocol, 1 it does not, 69 it cannot be run.";
+
+#[derive(Clone, Debug, Subcommand)]
+enum What {
+    /// Write a minimal engine to begin with: a free body under gravity, by RK4
+    New {
+        /// Language to write it in
+        #[arg(long, value_enum)]
+        language: Choice,
+        /// File to write instead of stdout
+        #[arg(long, value_name = "FILE")]
+        out: Option<PathBuf>,
+    },
+    /// Hold an engine against the protocol, line by line
+    Check {
+        /// The command line that starts it, with or without 'engine:' before it
+        #[arg(value_name = "COMMAND LINE", required = true, num_args = 1.., trailing_var_arg = true)]
+        command: Vec<String>,
+    },
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Choice {
+    Python,
+    C,
+    Cpp,
+    Javascript,
+    Julia,
+}
+
+pub(super) fn engine(options: &Options) -> Result<u8, Failure> {
+    match &options.what {
+        What::New { language, out } => {
+            let text = language.language().template();
+            match out {
+                Some(path) => record::write_whole(path, text.as_bytes())?,
+                None => super::run::print(text)?,
+            }
+            Ok(0)
+        }
+        What::Check { command } => check(&line(command)),
+    }
+}
+
+/// One word is a whole command line; several were split by the shell already.
+fn line(command: &[String]) -> String {
+    match command {
+        [one] => one.strip_prefix(engine::PREFIX).unwrap_or(one).to_owned(),
+        several => engine::join(several),
+    }
+}
+
+fn check(command: &str) -> Result<u8, Failure> {
+    let findings = engine::check(command)?;
+    let mut text = String::new();
+    for finding in &findings {
+        let (word, seen) = match &finding.violation {
+            None => ("ok  ", &finding.seen),
+            Some(violation) => ("FAIL", violation),
+        };
+        text += &format!("{word}  {}\n      {seen}\n", finding.rule);
+    }
+    let violations = findings.iter().filter(|finding| finding.violation.is_some()).count();
+    text += &match violations {
+        0 => format!("\nthe engine keeps to the protocol: {} of {0} rules hold\n", findings.len()),
+        count => format!("\nthe engine breaks {count} of {} rules\n", findings.len()),
+    };
+    super::run::print(&text)?;
+    Ok(u8::from(violations > 0))
+}
+
+impl Choice {
+    fn language(self) -> Language {
+        match self {
+            Choice::Python => Language::Python,
+            Choice::C => Language::C,
+            Choice::Cpp => Language::Cpp,
+            Choice::Javascript => Language::Javascript,
+            Choice::Julia => Language::Julia,
+        }
+    }
+}

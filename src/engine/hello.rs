@@ -1,0 +1,69 @@
+//! What an engine says of itself.
+
+use serde::Deserialize;
+
+use super::error::Fault;
+use super::reply;
+use crate::model::System;
+use crate::model::forces::Law;
+
+/// Longest hello [bytes].
+pub(super) const MOST_BYTES: usize = 1 << 20;
+/// Highest order that is believed to be meant.
+const HIGHEST_ORDER: u32 = 64;
+
+/// The reply to hello.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+pub(super) struct Hello {
+    /// Version of the protocol.
+    polhode: u32,
+    /// Name of the program.
+    pub name: String,
+    #[serde(default)]
+    version: serde_json::Value,
+    #[serde(default)]
+    scheme: Option<String>,
+    /// Claimed order; none where it claims none.
+    #[serde(default)]
+    pub order: Option<u32>,
+    /// Laws that it takes; where it has no list, it is asked and may refuse.
+    #[serde(default)]
+    pub forces: Option<Vec<String>>,
+}
+
+impl Hello {
+    /// Name, version and scheme in one line.
+    pub fn title(&self) -> String {
+        let version = match &self.version {
+            serde_json::Value::Null => String::new(),
+            serde_json::Value::String(text) => format!(" {text}"),
+            other => format!(" {other}"),
+        };
+        let scheme = self.scheme.as_ref().map_or(String::new(), |scheme| format!(", {scheme}"));
+        format!("{}{version}{scheme}", self.name)
+    }
+}
+
+pub(super) fn read(line: &[u8]) -> Result<Hello, Fault> {
+    let hello: Hello = reply::object(line)?;
+    let against = |why: String| Err(Fault::Protocol(format!("hello: {why}")));
+    if hello.polhode != 1 {
+        return against(format!("\"polhode\" is {}, and this version speaks 1", hello.polhode));
+    }
+    if hello.name.trim().is_empty() {
+        return against("\"name\" is empty: write the program's name".to_owned());
+    }
+    if hello.order.is_some_and(|order| order == 0 || order > HIGHEST_ORDER) {
+        let order = hello.order.unwrap_or_default();
+        return against(format!("\"order\" is {order}: write a whole number from 1 on, or leave it out"));
+    }
+    Ok(hello)
+}
+
+/// Why an engine with this list of laws cannot take a scene.
+pub(super) fn refusal(takes: Option<&[String]>, system: &System) -> Option<String> {
+    let takes = takes?;
+    let missing = |law: &&Law| !takes.iter().any(|name| name == law.name());
+    let law = system.forces.laws().iter().find(missing)?;
+    Some(format!("the engine does not list the law '{}'", law.name()))
+}

@@ -1,0 +1,146 @@
+//! Which convention a log follows: dq/dt held against w under every one.
+//!
+//! Between two rows the relative rotation over their distance in time is the mean angular velocity: log(q₁ q₀*)/Δt in world
+//! axes, log(q₀* q₁)/Δt in body axes, where q takes body axes to world axes; a quaternion that takes world axes to body axes
+//! is conjugated first. Under the right convention this is the mean of w to O(Δt²). The factor between both is fitted too: where
+//! it is not one, a unit is.
+
+use nalgebra::{Quaternion, Vector3};
+
+use super::log::{Part, Row};
+use crate::rotation::{self, Rotation};
+
+/// Pairs of rows that are looked at.
+const PAIRS: usize = 20_000;
+/// Radians turned between two rows, above which a pair says nothing.
+const WIDEST_TURN: f64 = 1.0;
+/// Fewest pairs that say something.
+const FEWEST_PAIRS: usize = 3;
+/// What may be left of the angular velocity, relative, under a convention that fits.
+const FITS: f64 = 0.1;
+/// How many times better than the others a convention must be to be the only one.
+const BETTER: f64 = 4.0;
+/// Remainder below which rounding or the log's own digits decide.
+const NOTHING_LEFT: f64 = 1e-6;
+
+/// How a log writes angular velocity and orientation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Convention {
+    /// Whether w is in body axes; else in world axes.
+    pub spin_in_body_axes: bool,
+    /// Whether q takes world axes to body axes; else body axes to world axes.
+    pub world_to_body: bool,
+}
+
+impl Convention {
+    /// All four.
+    pub const ALL: [Convention; 4] = [
+        Convention { spin_in_body_axes: false, world_to_body: false },
+        Convention { spin_in_body_axes: true, world_to_body: false },
+        Convention { spin_in_body_axes: false, world_to_body: true },
+        Convention { spin_in_body_axes: true, world_to_body: true },
+    ];
+
+    /// The options that name it.
+    pub fn words(self) -> String {
+        let spin = if self.spin_in_body_axes { "body" } else { "world" };
+        let quaternion = if self.world_to_body { "world-to-body" } else { "body-to-world" };
+        format!("--angular-velocity {spin} --quaternion {quaternion}")
+    }
+
+    /// Orientation from body axes to world axes.
+    pub(super) fn orientation(self, row: &Row) -> Rotation {
+        let [w, x, y, z] = row.numbers(Part::Orientation);
+        let q = Rotation::new_normalize(Quaternion::new(w, x, y, z));
+        if self.world_to_body { q.inverse() } else { q }
+    }
+}
+
+/// How a convention fits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fit {
+    /// The convention.
+    pub convention: Convention,
+    /// s in dq/dt = s · ½ w q: one where the units are right.
+    pub factor: f64,
+    /// What is left of the angular velocity, relative.
+    pub left: f64,
+}
+
+/// What the check says.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FrameCheck {
+    /// One convention fits.
+    Follows(Fit),
+    /// Several fit alike: the motion does not tell them apart.
+    Alike(Vec<Fit>),
+    /// None fits; the best.
+    None(Fit),
+    /// There is nothing to check.
+    Nothing(&'static str),
+}
+
+/// Holds a log against every convention; `has` says whether it has the columns. `known` is the convention that was declared,
+/// where the orientations under it are those of the reference.
+pub(super) fn check(rows: &[Row], has: bool, known: Option<Convention>) -> FrameCheck {
+    if !has {
+        return FrameCheck::Nothing("it needs qw, qx, qy, qz and wx, wy, wz");
+    }
+    let stride = (rows.len() / PAIRS).max(1);
+    let pairs: Vec<&[Row]> = rows.windows(2).step_by(stride).filter(|pair| says_something(pair)).collect();
+    if pairs.len() < FEWEST_PAIRS {
+        return FrameCheck::Nothing("too few rows that are less than a radian apart");
+    }
+    let fits = Convention::ALL.map(|convention| fit(convention, &pairs));
+    if fits.iter().all(|fit| fit.factor == 0.0) {
+        return FrameCheck::Nothing("the body does not turn");
+    }
+    choose(&fits, known)
+}
+
+/// With its sign turned, w fits one convention as well as it fits another without. Where the sense of the quaternion is
+/// known the sign decides nothing; otherwise of each such pair the one with the sign as written is meant.
+fn choose(fits: &[Fit], known: Option<Convention>) -> FrameCheck {
+    let meant = |fit: &Fit| {
+        known.map_or(fit.factor > 0.0, |known| fit.convention.world_to_body == known.world_to_body)
+    };
+    let mut upright: Vec<Fit> = fits.iter().copied().filter(meant).collect();
+    upright.sort_by(|a, b| a.left.total_cmp(&b.left));
+    let Some(best) = upright.first().copied() else { return FrameCheck::None(fits[0]) };
+    if best.left > FITS {
+        return FrameCheck::None(best);
+    }
+    let close = |fit: &Fit| fit.left <= BETTER * best.left.max(NOTHING_LEFT) && fit.left <= FITS;
+    upright.retain(close);
+    if upright.len() == 1 { FrameCheck::Follows(best) } else { FrameCheck::Alike(upright) }
+}
+
+fn says_something(pair: &[Row]) -> bool {
+    let turned = turn(pair, Convention::ALL[0]);
+    pair[1].time() > pair[0].time() && rotation::length(&turned) < WIDEST_TURN
+}
+
+/// Rotation vector from the first row to the second [rad], in the axes of w under a convention.
+fn turn(pair: &[Row], convention: Convention) -> Vector3<f64> {
+    let (a, b) = (convention.orientation(&pair[0]), convention.orientation(&pair[1]));
+    rotation::vector_of(&if convention.spin_in_body_axes { a.inverse() * b } else { b * a.inverse() })
+}
+
+/// Least squares of |Δ/Δt − s w̄|².
+fn fit(convention: Convention, pairs: &[&[Row]]) -> Fit {
+    let (mut moved, mut both, mut written) = (0.0, 0.0, 0.0);
+    for pair in pairs {
+        let rate = turn(pair, convention) / (pair[1].time() - pair[0].time());
+        let mean = (Vector3::from(pair[0].numbers::<3>(Part::Spin))
+            + Vector3::from(pair[1].numbers::<3>(Part::Spin)))
+            * 0.5;
+        moved += rate.norm_squared();
+        both += rate.dot(&mean);
+        written += mean.norm_squared();
+    }
+    if written == 0.0 || moved == 0.0 {
+        return Fit { convention, factor: 0.0, left: 1.0 };
+    }
+    let left = ((moved - both * both / written).max(0.0) / moved).sqrt();
+    Fit { convention, factor: both / written, left }
+}
