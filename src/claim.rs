@@ -61,6 +61,8 @@ pub enum Claim {
     Order(u32),
     /// Without torque the order is this one instead.
     OrderWithoutTorque(u32),
+    /// The scheme chooses its own steps for a tolerance, which the step h of a plan stands for as hⁿ, and its error follows it.
+    FollowsTolerance(u32),
     /// A quantity is exact but for rounding.
     Exact(Quantity, When),
     /// Energy of a free body.
@@ -89,6 +91,7 @@ impl Claim {
         match self {
             Claim::Order(_) => "order",
             Claim::OrderWithoutTorque(_) => "order-without-torque",
+            Claim::FollowsTolerance(_) => "follows-tolerance",
             Claim::Exact(..) => "exact",
             Claim::Energy(_) => "energy",
             Claim::VerticalMomentum => "vertical-momentum",
@@ -110,6 +113,9 @@ impl fmt::Display for Claim {
             Claim::OrderWithoutTorque(order) => write!(f, "order {order} without torque"),
             Claim::Exact(quantity, when) => write!(f, "{} exact {}", quantity.name(), when.words()),
             Claim::Energy(energy) => write!(f, "energy of a free body {energy}"),
+            Claim::FollowsTolerance(power) => {
+                write!(f, "steps of its own for a tolerance ∝ h^{power}, which the error follows")
+            }
             Claim::VerticalMomentum => write!(f, "L·g of a top on a pivot exact"),
             Claim::FlipTimes => write!(f, "flips of a tumbling body at their exact times as h → 0"),
             Claim::Rigid => write!(f, "rigid to rounding"),

@@ -18,6 +18,7 @@ const EDGES: &[(&str, &[&str])] = &[
     ("reference", &["model", "rotation"]),
     ("scenes", &["model", "rotation", "reference"]),
     ("simulate", &["interrupt", "model", "rotation", "schemes"]),
+    ("adaptive", &["claim", "interrupt", "model", "reference", "schemes", "simulate"]),
     ("metrics", &["claim", "model", "reference", "regression", "rotation", "simulate"]),
     ("gates", &["claim", "metrics", "model", "record", "reference", "regression", "rotation", "schemes"]),
     (
@@ -44,6 +45,7 @@ const EDGES: &[(&str, &[&str])] = &[
     (
         "cli",
         &[
+            "adaptive",
             "campaign",
             "claim",
             "engine",

@@ -3,13 +3,12 @@
 use clap::{Args, ValueEnum};
 use comfy_table::{ContentArrangement, Table, presets};
 
-use super::Failure;
+use super::{Failure, select};
 use crate::claim::Claim;
 use crate::metrics;
 use crate::model::Quantity;
 use crate::model::forces::Law;
 use crate::scenes;
-use crate::simulate::Contestant;
 
 /// Options of `polhode list`.
 #[derive(Args, Clone, Debug)]
@@ -44,7 +43,7 @@ pub(super) fn list(options: &Options) -> Result<u8, Failure> {
 }
 
 fn schemes() -> Table {
-    let rows = Contestant::all().into_iter().map(|contestant| {
+    let rows = select::everyone().into_iter().map(|contestant| {
         let card = contestant.card;
         vec![
             card.name.to_owned(),
@@ -82,7 +81,7 @@ fn metrics() -> Table {
 
 fn claims() -> Table {
     let mut rows: Vec<Vec<String>> = Vec::new();
-    for contestant in Contestant::all() {
+    for contestant in select::everyone() {
         for claim in contestant.card.claims {
             rows.push(vec![contestant.card.name.to_owned(), claim.name().to_owned(), claim.to_string()]);
         }

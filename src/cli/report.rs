@@ -6,13 +6,12 @@ use clap::Args;
 
 use super::Failure;
 use super::gate::{measure, measure_with, progress_bar};
-use super::select::Selection;
+use super::select::{self, Selection};
 use crate::gates::{self, Baseline};
 use crate::record::Records;
 use crate::report;
 use crate::scenes::Scene;
 use crate::schemes;
-use crate::simulate::Contestant;
 
 /// Options of `polhode report`.
 #[derive(Args, Clone, Debug)]
@@ -54,7 +53,7 @@ fn records(options: &Options, quiet: bool) -> Result<Records, Failure> {
     if options.full {
         records.schemes.iter_mut().for_each(|row| row.apart = !main.contains(&row.name.as_str()));
     } else if selection.is_default() {
-        let others = Contestant::all().into_iter().filter(|c| !main.contains(&c.card.name)).collect();
+        let others = select::everyone().into_iter().filter(|c| !main.contains(&c.card.name)).collect();
         let scenes = EVERY_SCHEME.iter().map(|name| Scene::find(name)).collect::<Result<_, _>>()?;
         let mut more = measure_with(scenes, others, Baseline::built_in(), false, quiet);
         more.schemes.iter_mut().for_each(|row| row.apart = true);

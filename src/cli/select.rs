@@ -3,6 +3,7 @@
 use clap::Args;
 
 use super::Failure;
+use crate::adaptive;
 use crate::engine::{self, Engine};
 use crate::scenes::{self, Scene};
 use crate::simulate::Contestant;
@@ -35,7 +36,7 @@ impl Selection {
             return Ok(Contestant::main());
         }
         if full || self.schemes.iter().any(|name| name == "all") {
-            return Ok(Contestant::all());
+            return Ok(everyone());
         }
         self.schemes.iter().map(|name| contestant(name)).collect()
     }
@@ -48,9 +49,14 @@ impl Selection {
     }
 }
 
+/// The schemes of the list, and the solvers that choose their own steps.
+pub(super) fn everyone() -> Vec<Contestant> {
+    Contestant::all().into_iter().chain(adaptive::contestants()).collect()
+}
+
 /// The scheme of a name.
 pub(super) fn contestant(name: &str) -> Result<Contestant, Failure> {
-    let all = Contestant::all();
+    let all = everyone();
     let names: Vec<&str> = all.iter().map(|contestant| contestant.card.name).collect();
     let known = names.join(", ");
     if let Some(command) = name.strip_prefix(engine::PREFIX) {

@@ -8,6 +8,7 @@ mod equivariant;
 mod evaluations;
 mod exact;
 mod flip_times;
+mod follows_tolerance;
 mod order;
 mod reduction;
 mod reference;
@@ -95,6 +96,7 @@ pub fn judge(case: &Case) -> Vec<Verdict> {
             Claim::Order(order) => verdicts.extend(order::judge(case, order_here(case, order))),
             // Judged in place of the order, in the scenes that it speaks of.
             Claim::OrderWithoutTorque(_) => {}
+            Claim::FollowsTolerance(power) => verdicts.extend(follows_tolerance::judge(case, power)),
             Claim::Exact(quantity, when) => verdicts.extend(exact::judge(case, quantity, when)),
             Claim::Energy(energy) => verdicts.extend(energy::judge(case, energy)),
             Claim::VerticalMomentum => verdicts.extend(vertical_momentum::judge(case)),

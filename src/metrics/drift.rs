@@ -114,7 +114,8 @@ pub struct EnergyDrift {
 /// that breaks.
 pub fn energy_drift(contestant: &Contestant, system: &System, duration: f64) -> Option<EnergyDrift> {
     let mut rotor = system.clone();
-    if !system.torque_free() {
+    // Without steps of its own there is no order in h to a rate.
+    if !system.torque_free() || contestant.card.tolerance_exponent() > 0 {
         return None;
     }
     rotor.forces = Forces::default();

@@ -25,6 +25,8 @@ const COARSEST_TURN: f64 = 0.4;
 const HIGH_ORDER: u32 = 4;
 /// … and is compared at this many.
 const FEWEST_SAMPLES: usize = 8;
+/// A solver that chooses its own steps is compared at this many.
+const SAMPLES_OF_OWN_STEPS: usize = 4;
 /// Change of a slope by one more rung from which on the ladder may still become something else.
 const STANDS: f64 = 0.02;
 /// Numbers of steps, odd ones, that a whole run in steady spin is made in besides its ladder.
@@ -149,7 +151,12 @@ pub fn climb(
     settle: bool,
 ) -> Evidence {
     let coarser = 2f64.powf(f64::from(order.saturating_sub(2)) / 2.0);
-    let samples = if order < HIGH_ORDER { reference.times.len() - 1 } else { FEWEST_SAMPLES };
+    let samples = match order {
+        // Every stored time cuts a step that the solver has chosen.
+        _ if contestant.card.tolerance_exponent() > 0 => SAMPLES_OF_OWN_STEPS,
+        HIGH_ORDER.. => FEWEST_SAMPLES,
+        _ => reference.times.len() - 1,
+    };
     let thinned = reference.thinned((reference.times.len() - 1) / samples);
     let reference = &thinned;
     let coarsest = COARSEST_TURN * coarser;

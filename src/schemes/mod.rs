@@ -40,6 +40,12 @@ impl Card {
         self.claims.iter().find_map(own).unwrap_or_else(|| self.order())
     }
 
+    /// The power of the step that stands for a tolerance; 0 for a scheme that is given a step.
+    pub fn tolerance_exponent(&self) -> u32 {
+        let own = |claim: &Claim| if let Claim::FollowsTolerance(n) = claim { Some(*n) } else { None };
+        self.claims.iter().find_map(own).unwrap_or(0)
+    }
+
     /// The claimed number of force evaluations a step; 0 where none is claimed.
     pub fn evaluations(&self) -> u32 {
         self.claims
