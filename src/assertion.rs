@@ -26,8 +26,8 @@
 //! polhode::assert_order(&Heun, 2);
 //! ```
 //!
-//! In a test file of your crate the last line stands in a `#[test]`. It panics with every quantity whose order is not
-//! the one that is asserted, and with what was measured instead.
+//! In a test file of your crate the last line stands in a `#[test]`. It panics with every quantity whose order
+//! is not the one that is asserted, and with what was measured instead.
 
 use crate::campaign::Campaign;
 use crate::claim::Claim;
@@ -37,8 +37,8 @@ use crate::scenes::{Scene, SceneError};
 use crate::schemes::{Scheme, TurningScheme};
 use crate::simulate::Contestant;
 
-/// Scenes that an order is asserted in: without torque, about a pivot, under forces on points, with time and velocity
-/// in the forces.
+/// Scenes that an order is asserted in: without torque, about a pivot, under forces on points, with time and
+/// velocity in the forces.
 pub const SCENES: [&str; 4] = ["free-asymmetric", "kovalevskaya", "tether-springs", "gravity-drag"];
 
 /// Asserts that a scheme has an order, from above and from below, in every quantity in the scenes of [`SCENES`].
@@ -68,7 +68,7 @@ pub fn assert_order_in(contestant: &Contestant, order: u32, scenes: &[&str]) {
     match orders(contestant, order, scenes) {
         Err(error) => panic!("{error}"),
         Ok(verdicts) => {
-            if let Some(complaint) = complaint(&contestant.card.name, order, scenes, &verdicts) {
+            if let Some(complaint) = complaint(contestant.card.name, order, scenes, &verdicts) {
                 panic!("{complaint}");
             }
         }

@@ -4,6 +4,7 @@ parameters under the latter."""
 from polhode_engine import serve
 from rotations import quaternion, turned
 
+from itertools import count
 from time import perf_counter_ns
 
 import exudyn
@@ -38,22 +39,21 @@ def start(solver, node):
 
         def whole(steps, every):
             # Generalised alpha begins anew where a run is stopped: it is looked at while it goes.
-            seen = []
+            seen, step = [], count()
 
-            def look(_, time):
-                step = round(time / p.step)
-                if step % every == 0 and (not seen or seen[-1][0] < step):
-                    seen.append((step, observe(), perf_counter_ns() - began))
+            def look(*_):
+                # Called once before every step; its time is that of the end of the step in some solvers.
+                if (done := next(step)) % every == 0:
+                    seen.append((done, observe(), perf_counter_ns() - began))
                 return True
 
             settings.timeIntegration.endTime = steps * p.step
             settings.timeIntegration.numberOfSteps = steps
             system.SetPreStepUserFunction(look)
-            seen.append((0, observe(), 0))
             began = perf_counter_ns()
             if not system.SolveDynamic(settings, solverType=solver, updateInitialValues=True, showHints=False):
                 raise RuntimeError("the solver gave up")
-            return [*(row for row in seen if row[0] < steps), (steps, observe(), perf_counter_ns() - began)]
+            return [*seen, (steps, observe(), perf_counter_ns() - began)]
 
         return whole
 

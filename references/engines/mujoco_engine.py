@@ -3,7 +3,12 @@
 from polhode_engine import serve
 from rotations import inverse, turned
 
+import sys
+
 import mujoco
+
+# Its warnings belong into the log of the engine, and not into a file wherever it runs.
+mujoco.set_mju_user_warning(lambda text: print(text, file=sys.stderr))
 
 
 def start(integrator):

@@ -6,10 +6,10 @@ use super::error::Fault;
 use super::hello::Hello;
 use super::process::Process;
 use super::reply::{self, Answer, States};
+use super::specimen::{LAWS, scene};
 use super::{EngineError, greet, patience, request, words};
 use crate::model::forces::Law;
 use crate::model::{Broken, System, difference};
-use crate::scenes::Scene;
 use crate::simulate::Plan;
 
 /// One sentence of the protocol, held against an engine.
@@ -27,30 +27,12 @@ pub struct Finding {
 const FAREWELL: Duration = Duration::from_secs(5);
 /// Difference of the first state from the start: single precision passes.
 const SAME_START: f64 = 1e-5;
-/// Orientation error [rad] after a second in a thousand steps, above which the motion is another one: a rule of first order
-/// stays below it, a wrong frame does not.
+/// Orientation error [rad] after a second in a thousand steps, above which the motion is another one: a rule of
+/// first order stays below it, a wrong frame does not.
 const OTHER_MOTION: f64 = 0.05;
 
-/// Difference of two ends of one run that rounding, and an error control that begins anew, explain.
+/// Difference of two states of one run that rounding, and an error control that begins anew, explain.
 const SAME_END: f64 = 1e-9;
-
-/// A free asymmetric body, turned, off the origin, spinning off every axis: no frame can be mistaken for another.
-const FREE: &str = "name = \"check\"\nduration = 1.0\n[body]\nmass = 2.0\n\
-    inertia = [[1.0, 0.1, 0.0], [0.1, 2.0, 0.2], [0.0, 0.2, 2.5]]\nPIVOT\n[initial]\nposition = [1.0, -2.0, 0.5]\n\
-    orientation = [0.5, 0.5, -0.5, 0.5]\nvelocity = [0.3, 0.2, -0.1]\nangular_velocity = [1.0, -0.7, 2.0]\n";
-
-/// A law of every name, as in a scene file.
-const LAWS: [(&str, &str); 9] = [
-    ("gravity", "acceleration = [0.0, 0.0, -9.81]"),
-    ("spring", "point = 0\nanchor = [0.0, 0.0, 1.0]\nstiffness = 1.0"),
-    ("drag", "coefficient = 0.1"),
-    ("central-gravity", "mu = 1.0"),
-    ("lorentz", "charge = 1.0\nmagnetic = [0.0, 0.0, 1.0]"),
-    ("torque", "axes = \"body\"\nconstant = [0.0, 0.0, 0.1]"),
-    ("dipole", "moment = [0.0, 0.0, 1.0]\nfield = [0.0, 0.1, 0.0]"),
-    ("gravity-gradient", "mu_over_r3 = 0.1\ndirection = [1.0, 0.0, 0.0]"),
-    ("ground", "stiffness = 100.0"),
-];
 
 /// Holds the program of a command line against the protocol.
 ///
@@ -156,7 +138,11 @@ impl Inquiry {
     }
 
     fn run(&mut self, system: &System, steps: u64, every: u64) -> Result<States, String> {
-        match self.ask(system, &Plan { step: 1.0 / steps as f64, steps, every })? {
+        self.run_by(system, &Plan { step: 1.0 / steps as f64, steps, every })
+    }
+
+    fn run_by(&mut self, system: &System, plan: &Plan) -> Result<States, String> {
+        match self.ask(system, plan)? {
             Answer::States(states) => Ok(states),
             Answer::Refused(why) => Err(format!("a free body was refused: {why}")),
             Answer::Failed { why, .. } => Err(format!("a free body failed: {why}")),
@@ -177,15 +163,25 @@ impl Inquiry {
         if largest < OTHER_MOTION { Ok(seen) } else { Err(format!("{seen}: that is another motion")) }
     }
 
-    /// The end of a run that is looked at often beside that of one that is not.
+    /// Every state of a run that is looked at at each step, beside the ends of runs that are not.
     fn looks_without_touching(&mut self, free: &System) -> Result<String, String> {
-        let (often, once) = (self.run(free, 100, 1)?, self.run(free, 100, 100)?);
-        let (Some(a), Some(b)) = (often.states.last(), once.states.last()) else {
-            return Err("there is no state".to_owned());
-        };
-        let apart = difference(&free.body, a, b).into_iter().fold(0.0, f64::max);
-        let seen = format!("the end of a run with every 1 and with every 100 differ by {apart:.1e}");
-        if apart <= SAME_END { Ok(seen) } else { Err(seen) }
+        let plan = |steps, every| Plan { step: 0.01, steps, every };
+        let often = self.run_by(free, &plan(100, 1))?;
+        let mut largest: f64 = 0.0;
+        for steps in [1, 50, 100] {
+            let once = self.run_by(free, &plan(steps, steps))?;
+            let (Some(a), Some(b)) = (often.states.get(steps as usize), once.states.last()) else {
+                return Err("there is no state".to_owned());
+            };
+            let apart = difference(&free.body, a, b).into_iter().fold(0.0, f64::max);
+            if apart.is_nan() || apart > SAME_END {
+                return Err(format!(
+                    "with every 1 the state of step {steps} differs by {apart:.1e} from the end of a run of {steps} steps"
+                ));
+            }
+            largest = largest.max(apart);
+        }
+        Ok(format!("states on the way and ends of shorter runs agree to {largest:.1e}"))
     }
 
     fn laws(&mut self, hello: &Hello) {
@@ -275,30 +271,5 @@ fn costs(states: &States) -> String {
         (None, _) => "no elapsed_ns: the time from question to answer stands in for it".to_owned(),
         (Some(time), 0) => format!("{time} ns; no evaluations"),
         (Some(time), count) => format!("{time} ns, {count} evaluations"),
-    }
-}
-
-/// # Panics
-/// The scene of this file is not a scene, which a test rules out.
-fn scene(forces: &str, pivot: &str) -> System {
-    let text = FREE.replace("PIVOT", pivot) + forces;
-    let text = if pivot.is_empty() { text } else { text.replace("velocity = [0.3, 0.2, -0.1]\n", "") };
-    Scene::parse(&text, "the scene of the check").expect("the scene of the check is a scene").system
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::engine::hello;
-
-    #[test]
-    fn the_scenes_of_the_check_cover_every_law() {
-        for (law, _) in Law::NAMES {
-            let (_, lines) = LAWS.iter().find(|(name, _)| *name == law).expect("a line for every law");
-            let system = scene(&format!("[[forces]]\nlaw = \"{law}\"\n{lines}\n"), "");
-            assert_eq!(system.forces.laws()[0].name(), law);
-        }
-        assert!(scene("", "pivot = [0.1, 0.2, -0.3]").body.pivoted);
-        assert_eq!(hello::refusal(Some(&[]), &scene("", "")), None);
     }
 }

@@ -1,5 +1,5 @@
-//! Force laws as an engine is told them: the keys of a scene file, every default filled in, places on the body about
-//! its centre of mass.
+//! Force laws as an engine is told them: the keys of a scene file, every default filled in, places on the body
+//! about its centre of mass.
 
 use nalgebra::Vector3;
 use serde_json::{Value, json};

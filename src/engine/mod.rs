@@ -16,6 +16,7 @@ mod laws;
 mod process;
 mod reply;
 mod request;
+mod specimen;
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};

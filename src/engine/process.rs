@@ -1,8 +1,8 @@
 //! A copy of an engine: a child process that is asked, waited for, watched and ended, whatever it does.
 //!
-//! Each of its three pipes has a thread of its own, so that none can block another: a child that reads nothing, prints
-//! without end or writes megabytes of log stops nobody. A child leads a process group, so that what it has started
-//! itself ends with it.
+//! Each of its three pipes has a thread of its own, so that none can block another: a child that reads nothing,
+//! prints without end or writes megabytes of log stops nobody. A child leads a process group, so that what it
+//! has started itself ends with it.
 
 use std::io::{BufRead, BufReader, Read, Write};
 use std::process::{Child, ChildStderr, ChildStdin, ChildStdout, Command, Stdio};

@@ -15,7 +15,8 @@ const SLACK: u64 = 1 << 16;
 const STATE_BYTES: u64 = 1 << 10;
 /// Longest reply of all [bytes].
 const MOST_BYTES: u64 = 1 << 30;
-/// Length of an orientation, less one, up to which it is one: single precision that is not renormalised stays below.
+/// Length of an orientation, less one, up to which it is one: single precision that is not renormalised stays
+/// below.
 const UNIT: f64 = 1e-3;
 
 /// A reply that keeps to the protocol.
@@ -110,7 +111,7 @@ pub(super) fn read(line: &[u8], id: u64, system: &System, plan: &Plan) -> Result
 
 fn count(value: Option<f64>, key: &str) -> Result<Option<u64>, Fault> {
     match value {
-        Some(value) if !(value >= 0.0 && value < 1e18) => {
+        Some(value) if !(0.0..1e18).contains(&value) => {
             Err(Fault::Protocol(format!("\"{key}\" is {value}, not a number from 0 on")))
         }
         other => Ok(other.map(|value| value as u64)),
@@ -190,7 +191,8 @@ fn numbers<const N: usize>(values: &[f64], key: &str, step: u64) -> Result<[f64;
     }
 }
 
-/// How far the first state is from where the run was to start: of the position, relative, and of the orientation [rad].
+/// How far the first state is from where the run was to start: of the position, relative, and of the
+/// orientation [rad].
 pub(super) fn off_start(system: &System, first: &Snapshot) -> (f64, f64) {
     let start = &system.start;
     let size = rotation::length(&start.position).max(system.body.extent());

@@ -51,8 +51,8 @@ fn points(body: &Body) -> Vec<MassPoint> {
     body.points.iter().map(|p| MassPoint { mass: p.mass, position: p.position - body.center }).collect()
 }
 
-/// The inertia about the centre of mass [kg m²]: from the points where a pivot has moved it, so that the parallel-axis
-/// term does not cancel.
+/// The inertia about the centre of mass [kg m²]: from the points where a pivot has moved it, so that the
+/// parallel-axis term does not cancel.
 fn inertia(body: &Body) -> Matrix3<f64> {
     let moved = body.center != Vector3::zeros();
     match moved {

@@ -1,9 +1,9 @@
 //! Which convention a log follows: dq/dt held against w under every one.
 //!
-//! Between two rows the relative rotation over their distance in time is the mean angular velocity: log(q₁ q₀*)/Δt in world
-//! axes, log(q₀* q₁)/Δt in body axes, where q takes body axes to world axes; a quaternion that takes world axes to body axes
-//! is conjugated first. Under the right convention this is the mean of w to O(Δt²). The factor between both is fitted too: where
-//! it is not one, a unit is.
+//! Between two rows the relative rotation over their distance in time is the mean angular velocity: log(q₁
+//! q₀*)/Δt in world axes, log(q₀* q₁)/Δt in body axes, where q takes body axes to world axes; a quaternion that
+//! takes world axes to body axes is conjugated first. Under the right convention this is the mean of w to
+//! O(Δt²). The factor between both is fitted too: where it is not one, a unit is.
 
 use nalgebra::{Quaternion, Vector3};
 
@@ -80,8 +80,8 @@ pub enum FrameCheck {
     Nothing(&'static str),
 }
 
-/// Holds a log against every convention; `has` says whether it has the columns. `known` is the convention that was declared,
-/// where the orientations under it are those of the reference.
+/// Holds a log against every convention; `has` says whether it has the columns. `known` is the convention that
+/// was declared, where the orientations under it are those of the reference.
 pub(super) fn check(rows: &[Row], has: bool, known: Option<Convention>) -> FrameCheck {
     if !has {
         return FrameCheck::Nothing("it needs qw, qx, qy, qz and wx, wy, wz");
@@ -98,8 +98,9 @@ pub(super) fn check(rows: &[Row], has: bool, known: Option<Convention>) -> Frame
     choose(&fits, known)
 }
 
-/// With its sign turned, w fits one convention as well as it fits another without. Where the sense of the quaternion is
-/// known the sign decides nothing; otherwise of each such pair the one with the sign as written is meant.
+/// With its sign turned, w fits one convention as well as it fits another without. Where the sense of the
+/// quaternion is known the sign decides nothing; otherwise of each such pair the one with the sign as written
+/// is meant.
 fn choose(fits: &[Fit], known: Option<Convention>) -> FrameCheck {
     let meant = |fit: &Fit| {
         known.map_or(fit.factor > 0.0, |known| fit.convention.world_to_body == known.world_to_body)

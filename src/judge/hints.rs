@@ -1,8 +1,9 @@
 //! What a log probably meant: another unit, a turned sign, a quaternion in another order.
 //!
-//! A quantity l of the log is held against the reference's r: s = Σ l·r / Σ l·l is the factor that takes one to the other,
-//! and √(1 − (Σ l·r)²/(Σ l·l Σ r·r)) is what no factor explains. A factor that is a known unit is a hint, where little is
-//! left. A turned sign of one component is a hint where it takes away nearly all of the error.
+//! A quantity l of the log is held against the reference's r: s = Σ l·r / Σ l·l is the factor that takes one to
+//! the other, and √(1 − (Σ l·r)²/(Σ l·l Σ r·r)) is what no factor explains. A factor that is a known unit is a
+//! hint, where little is left. A turned sign of one component is a hint where it takes away nearly all of the
+//! error.
 
 use std::f64::consts::PI;
 

@@ -1,7 +1,8 @@
 //! A trajectory that another program wrote, held against the reference of its scene at its own times.
 //!
-//! Errors at the end and the largest, drift of what is conserved, the convention that the log follows, and hints at what it
-//! may have meant. Columns may be missing; what needs them is then not applicable, with the reason.
+//! Errors at the end and the largest, drift of what is conserved, the convention that the log follows, and
+//! hints at what it may have meant. Columns may be missing; what needs them is then not applicable, with the
+//! reason.
 
 mod error;
 mod frames;

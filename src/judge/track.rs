@@ -1,9 +1,10 @@
 //! The reference at any time of a log.
 //!
-//! A short log is compared at its own times, each the end of a step of dop853. For a long one dop853 ends a step at equally
-//! spaced nodes, and between them a polynomial of degree 9 through the ten nearest is taken. The spacing is halved until the
-//! polynomial through every other node misses the nodes between by less than [`CLOSE`] of each quantity; with twice as many
-//! nodes it then does better still. What it misses by is part of the uncertainty that is told.
+//! A short log is compared at its own times, each the end of a step of dop853. For a long one dop853 ends a
+//! step at equally spaced nodes, and between them a polynomial of degree 9 through the ten nearest is taken.
+//! The spacing is halved until the polynomial through every other node misses the nodes between by less than
+//! [`CLOSE`] of each quantity; with twice as many nodes it then does better still. What it misses by is part of
+//! the uncertainty that is told.
 
 use nalgebra::{Quaternion, Vector3};
 

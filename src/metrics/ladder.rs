@@ -102,7 +102,23 @@ pub struct QuantityLadder {
     pub constant: Option<f64>,
 }
 
+/// An error of this part of a motion says nothing of the limit h → 0.
+const AS_LARGE_AS_THE_MOTION: f64 = 0.25;
+
 impl QuantityLadder {
+    /// A foreign program's ladder ends sooner than a scheme's. One whose finest error is still about as large as the motion
+    /// decides nothing about an order, where it would be below the claimed one.
+    fn doubt_where_it_ended_early(&mut self, order: u32, sizes: &[f64; 6]) {
+        let size = Quantity::ALL.iter().position(|quantity| *quantity == self.quantity).map(|i| sizes[i]);
+        let large =
+            self.rungs.last().zip(size).is_some_and(|(rung, size)| rung.1 > AS_LARGE_AS_THE_MOTION * size);
+        let below = self.fit().is_some_and(|fit| fit.slope < f64::from(order) - BAND);
+        if large && below {
+            self.ladder = Ladder::Unsettled;
+            self.constant = None;
+        }
+    }
+
     /// The fit, where there is a window.
     pub fn fit(&self) -> Option<Fit> {
         if let Ladder::Window { fit, .. } = &self.ladder { Some(*fit) } else { None }
@@ -203,6 +219,10 @@ pub fn climb(
             }
             earlier.push(evidence.ladders.clone());
         }
+    }
+    if contestant.is_foreign() {
+        let sizes = sizes(system, reference);
+        evidence.ladders.iter_mut().for_each(|ladder| ladder.doubt_where_it_ended_early(order, &sizes));
     }
     if system.steady_spin() && evidence.refusal().is_none() {
         evidence.giant_steps = giant_steps(contestant, system, reference, &growth, turned);
@@ -362,6 +382,14 @@ fn displaced(system: &System, reference: &Reference, direction: usize) -> System
         orientation: system.start.orientation,
     };
     system.displaced(&along(1.0, 0), &change)
+}
+
+/// How large each quantity of a motion is, or how far it can be off at all; a position can be off by anything.
+fn sizes(system: &System, reference: &Reference) -> [f64; 6] {
+    let largest = |value: fn(&Snapshot) -> f64| reference.states.iter().map(value).fold(0.0, f64::max);
+    let spin = largest(|s| rotation::length(&s.angular_velocity));
+    let momentum = largest(|s| rotation::length(&s.angular_momentum));
+    [f64::INFINITY, f64::INFINITY, 1.0, spin, momentum, system.body.extent()]
 }
 
 /// What the roundings of `steps` steps over `turned` radians add up to, relative, for each quantity.

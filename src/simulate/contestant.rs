@@ -33,7 +33,7 @@ impl Form {
 /// Most steps of a run of a scheme …
 const MOST_STEPS: u64 = 1 << 20;
 /// … and of a foreign program, whose steps may cost a thousand times more.
-const MOST_FOREIGN_STEPS: u64 = 1 << 16;
+const MOST_FOREIGN_STEPS: u64 = 1 << 17;
 
 type Refusal = dyn Fn(&System) -> Option<String> + Send + Sync;
 type Run = dyn Fn(&System, Form, &Plan, &mut dyn FnMut(&Snapshot)) -> Outcome + Send + Sync;
@@ -152,6 +152,11 @@ impl Contestant {
             ));
         }
         None
+    }
+
+    /// Whether it is a program of its own, whose ladders end sooner.
+    pub fn is_foreign(&self) -> bool {
+        self.refusal.is_some()
     }
 
     /// Most steps that a run of a ladder may have.
