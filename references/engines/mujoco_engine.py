@@ -10,6 +10,8 @@ import mujoco
 # Its warnings belong into the log of the engine, and not into a file wherever it runs.
 mujoco.set_mju_user_warning(lambda text: print(text, file=sys.stderr))
 
+DIVERGED = [mujoco.mjtWarning.mjWARN_BADQPOS, mujoco.mjtWarning.mjWARN_BADQVEL, mujoco.mjtWarning.mjWARN_BADQACC]
+
 
 def start(integrator):
     def begin(p):
@@ -17,7 +19,7 @@ def start(integrator):
         model = mujoco.MjModel.from_xml_string(f"""
             <mujoco>
               <option timestep="{p.step!r}" integrator="{integrator}" gravity="{' '.join(map(repr, p.gravity))}">
-                <flag contact="disable"/>
+                <flag contact="disable" autoreset="disable"/>
               </option>
               <worldbody>
                 <body><freejoint/><inertial pos="0 0 0" mass="{p.mass!r}" fullinertia="{full}"/></body>
@@ -32,7 +34,13 @@ def start(integrator):
             q = list(data.qpos[3:])
             return data.qpos[:3], q, data.qvel[:3], turned(q, list(data.qvel[3:]))
 
-        return lambda count: mujoco.mj_step(model, data, nstep=count), observe
+        def advance(count):
+            mujoco.mj_step(model, data, nstep=count)
+            # Left to itself MuJoCo begins anew from zero where a run diverges, and goes on.
+            if any(data.warning[kind].number for kind in DIVERGED):
+                raise RuntimeError("MuJoCo warns that the run has diverged")
+
+        return advance, observe
 
     return begin
 
