@@ -55,8 +55,9 @@ fn a_whole_report_has_every_file_and_every_picture_is_large() {
     assert_eq!(read.measurements.len(), records.measurements.len());
     assert!(read.verdicts.iter().map(|row| &row.detail).eq(records.verdicts.iter().map(|row| &row.detail)));
     let plots = plots(&folder);
-    assert_eq!(plots.len(), 2 * SCENES + 2);
-    assert_eq!(calls.load(Ordering::Relaxed), 2 * SCENES + 2);
+    // Convergence, invariants and work-precision a scene, and two of all of them.
+    assert_eq!(plots.len(), 3 * SCENES + 2);
+    assert_eq!(calls.load(Ordering::Relaxed), 3 * SCENES + 2);
     for path in plots {
         let (width, height) = png_size(&path);
         assert!(width >= 1600 && height >= 1000, "{}: {width} × {height}", path.display());
@@ -89,8 +90,8 @@ fn the_page_needs_nothing_but_itself_and_escapes_what_it_prints() {
     for foreign in ["src=", "url(", "@import", "<link", "<script", "href=\"http"] {
         assert!(!page.contains(foreign), "{foreign}");
     }
-    // 2 overview pictures and 2 a scene.
-    assert_eq!(page.matches("<svg ").count(), 6);
+    // 2 overview pictures and 3 a scene.
+    assert_eq!(page.matches("<svg ").count(), 8);
     assert!(!page.contains("<turned>"));
     assert!(page.contains("&lt;turned&gt;"));
     for word in ["not finite at step 12", "known since 2021", "outside 1 ± 0.15", "2.31", "4.4×10⁻¹⁴"]
@@ -170,7 +171,13 @@ fn pictures_that_an_earlier_report_left_are_removed() {
         .collect();
     assert_eq!(
         names,
-        ["drift-rates.png", "overview.png", "scene-02-convergence.png", "scene-02-invariants.png"]
+        [
+            "drift-rates.png",
+            "overview.png",
+            "scene-02-convergence.png",
+            "scene-02-invariants.png",
+            "scene-02-work-precision.png"
+        ]
     );
 }
 

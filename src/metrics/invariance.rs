@@ -78,7 +78,7 @@ fn compare(
         difference(&system.body, own, other).into_iter().zip(floors).zip(Quantity::ALL)
     {
         let ratio = if value == 0.0 { 0.0 } else { value / floor };
-        if row.difference.is_nan() || !(ratio <= row.of_floor) {
+        if row.difference.is_nan() || ratio.is_nan() || ratio > row.of_floor {
             (row.quantity, row.difference) = (quantity, value);
         }
         row.of_floor = larger(row.of_floor, ratio);

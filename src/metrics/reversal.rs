@@ -55,7 +55,7 @@ pub fn reversal(contestant: &Contestant, system: &System, rungs: &[Rung]) -> Opt
     for ((value, floor), quantity) in distances.into_iter().zip(&rung.floors).zip(Quantity::ALL) {
         // Twice as many steps, and their roundings, as in the run that the floor belongs to.
         let ratio = if value == 0.0 { 0.0 } else { value / (2.0 * floor.max) };
-        if reversal.distance.is_nan() || !(ratio <= reversal.of_floor) {
+        if reversal.distance.is_nan() || ratio.is_nan() || ratio > reversal.of_floor {
             (reversal.quantity, reversal.distance) = (quantity, value);
         }
         reversal.of_floor = larger(reversal.of_floor, ratio);

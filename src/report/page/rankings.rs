@@ -63,10 +63,13 @@ pub(super) struct Overall {
     worst: String,
 }
 
+/// The family of a scheme, and the ratio of its error to the yardstick's in each scene.
+type Scored<'a> = (&'a str, Vec<(f64, &'a str)>);
+
 /// Schemes by the geometric mean of the ratios of their errors to the yardstick's, over the scenes that carry an order. Empty
 /// where there are fewer than two.
 pub(super) fn overall(records: &Records) -> Vec<Overall> {
-    let mut ratios: BTreeMap<&str, (&str, Vec<(f64, &str)>)> = BTreeMap::new();
+    let mut ratios: BTreeMap<&str, Scored> = BTreeMap::new();
     let mut yardstick = "";
     for scene in survey::scenes(records) {
         let Some(ranking) = ranking::rank(records, scene) else { continue };
