@@ -123,10 +123,7 @@ fn write_pictures(
 
 fn write_picture(picture: &Picture, path: &Path) -> Result<Figure, ReportError> {
     let fault = |plot::Fault(why)| ReportError::Picture { path: path.into(), why };
-    let file_fault = |source| ReportError::File(RecordError::File { path: path.into(), source });
-    // The backend can only encode into a file.
-    let scratch = tempfile::Builder::new().suffix(".png").tempfile().map_err(file_fault)?;
-    write_whole(path, &picture.png(scratch.path()).map_err(fault)?)?;
+    write_whole(path, &picture.png().map_err(fault)?)?;
     Ok(Figure { subject: picture.subject.clone(), svg: picture.svg().map_err(fault)? })
 }
 

@@ -17,8 +17,6 @@ mod render;
 mod sketch;
 mod work_precision;
 
-use std::path::Path;
-
 use crate::record::Records;
 
 use super::survey;
@@ -62,9 +60,9 @@ pub(super) struct Picture {
 }
 
 impl Picture {
-    /// The picture as PNG bytes; `scratch` names a file, ending in `.png`, that may be overwritten.
-    pub(super) fn png(&self, scratch: &Path) -> Result<Vec<u8>, Fault> {
-        render::png(&self.sketch, scratch)
+    /// The picture as PNG bytes.
+    pub(super) fn png(&self) -> Result<Vec<u8>, Fault> {
+        render::png(&self.sketch)
     }
 
     /// The picture as an SVG element.

@@ -1,7 +1,5 @@
 //! From a sketch to a PNG or an SVG: the same shapes on either backend of plotters.
 
-use std::path::Path;
-
 use plotters::coord::Shift;
 use plotters::element::{Circle, PathElement, Polygon, Text};
 use plotters::prelude::{
@@ -40,17 +38,26 @@ const BITMAP: Pen = Pen { zoom: OVERSAMPLING as f64, size_per_em: font::HEIGHT_P
 /// The SVG backend divides font sizes by 1.24 and sets the baseline 0.5 ex (about 0.26 em) below the centre.
 const VECTOR: Pen = Pen { zoom: 1.0, size_per_em: 1.24, drop_em: 0.10 };
 
-/// The picture as PNG bytes; `scratch` is a file name ending in `.png` that may be overwritten.
-pub(super) fn png(sketch: &Sketch, scratch: &Path) -> Result<Vec<u8>, Fault> {
+/// The picture as PNG bytes.
+pub(super) fn png(sketch: &Sketch) -> Result<Vec<u8>, Fault> {
     let (width, height) = sketch.size;
     let large = (width * OVERSAMPLING as u32, height * OVERSAMPLING as u32);
     let mut pixels = vec![255; large.0 as usize * large.1 as usize * 3];
     paint(sketch, BitMapBackend::with_buffer(&mut pixels, large).into_drawing_area(), &BITMAP)?;
-    let averaged = average(&pixels, width as usize, height as usize);
-    let mut file = BitMapBackend::new(scratch, sketch.size);
-    file.blit_bitmap((0, 0), sketch.size, &averaged).map_err(fault)?;
-    file.present().map_err(fault)?;
-    std::fs::read(scratch).map_err(fault)
+    encode(&average(&pixels, width as usize, height as usize), width, height)
+}
+
+/// Without a filter: lines and flat areas repeat to the letter, which the compression itself finds best.
+fn encode(pixels: &[u8], width: u32, height: u32) -> Result<Vec<u8>, Fault> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_compression(png::Compression::High);
+    encoder.set_filter(png::Filter::NoFilter);
+    let mut writer = encoder.write_header().map_err(fault)?;
+    writer.write_image_data(pixels).map_err(fault)?;
+    writer.finish().map_err(fault)?;
+    Ok(bytes)
 }
 
 /// Every pixel the mean of the four that it was drawn with.
