@@ -28,6 +28,7 @@ pub mod adaptive;
 pub mod metrics;
 pub mod gates;
 pub mod campaign;
+pub mod self_test;
 pub mod engine;
 pub mod judge;
 pub mod assertion;

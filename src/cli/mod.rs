@@ -9,6 +9,7 @@ mod list;
 mod report;
 mod run;
 mod select;
+mod self_test;
 
 use std::ffi::OsString;
 use std::time::Duration;
@@ -74,6 +75,8 @@ enum Command {
     Engine(engine::Options),
     /// Judge a trajectory that another program wrote
     Judge(judge::Options),
+    /// Plant defects: each must turn a gate red
+    SelfTest(self_test::Options),
     /// List what there is
     List(list::Options),
 }
@@ -115,6 +118,7 @@ fn dispatch(arguments: Arguments) -> Result<u8, Failure> {
         Command::Run(options) => run::run(&options),
         Command::Engine(options) => engine::engine(&options),
         Command::Judge(options) => judge::judge(&options),
+        Command::SelfTest(options) => self_test::self_test(&options, everywhere.quiet),
         Command::List(options) => list::list(&options),
     }?;
     Ok(if crate::interrupt::requested() { exit::INTERRUPTED } else { code })

@@ -10,10 +10,13 @@ use crate::regression::{Fit, Ladder};
 
 /// Largest relative change of an error constant.
 const CONSTANT_CHANGE: f64 = 0.05;
+/// Change by the last halving over the error, below which a run may have come to another motion.
+const APART: f64 = 0.2;
 
 pub(super) fn judge(case: &Case, order: u32) -> Vec<Verdict> {
     if let Some(reason) = case.not_for_order {
-        return vec![ruled(case, "order", "all", Ruling::NotApplicable, reason)];
+        let order = ruled(case, "order", "all", Ruling::NotApplicable, reason);
+        return std::iter::once(order).chain(judge_consistency(case)).collect();
     }
     let mut verdicts = Vec::new();
     for ladder in &case.evidence.ladders {
@@ -25,6 +28,42 @@ pub(super) fn judge(case: &Case, order: u32) -> Vec<Verdict> {
         verdicts.extend(judge_constant(case, ladder, &name));
     }
     verdicts
+}
+
+/// Where no order applies, a scheme must at least not converge to another motion. At order p and halved steps two runs differ by
+/// 2ᵖ − 1 times the error of the finer one, half of that at least where the ratio of steps is less. Runs that twice agree with one
+/// another ten times better than with the truth, and the second time better than the first, have come to something else; once may
+/// be two errors that happen to be alike.
+fn judge_consistency(case: &Case) -> Option<Verdict> {
+    let index = Quantity::ALL.iter().position(|quantity| *quantity == Quantity::BodyPoint)?;
+    let mut sound = case.evidence.rungs.iter().rev().filter(|rung| rung.outcome.broken.is_none());
+    let (last, before) = (sound.next()?, sound.next());
+    let (error, floor, moved) = (last.errors[index].max, last.floors[index].max, last.moved[index].max);
+    let moved_before = before.map_or(f64::NAN, |rung| rung.moved[index].max);
+    let apart = |moved: f64, error: f64| moved / error;
+    let ratio_before = before.map_or(f64::NAN, |rung| apart(moved_before, rung.errors[index].max));
+    let at_floor = error <= 10.0 * floor;
+    let ratio = if at_floor { 1.0 } else { apart(moved, error) };
+    let (verdict, words) = if at_floor {
+        (Ruling::Pass, "the error is at its floor")
+    } else if ratio >= APART {
+        (Ruling::Pass, "runs differ from one another as much as from the truth")
+    } else if ratio.max(ratio_before) < APART / 2.0 && moved < moved_before {
+        (Ruling::Fail, "runs agree with one another and not with the truth")
+    } else if ratio.is_nan() {
+        (Ruling::Inconclusive, "there is no run before it to compare with")
+    } else {
+        (Ruling::Inconclusive, "runs differ from one another less than from the truth")
+    };
+    let detail = format!(
+        "{words}: moved {moved:.2e} m from the run before, error {error:.2e} m at h = {:.3e} s",
+        last.step
+    );
+    Some(Verdict {
+        measured: ratio.is_finite().then_some(ratio),
+        low: Some(APART),
+        ..ruled(case, "consistency", "body-point-max", verdict, detail)
+    })
 }
 
 /// Rotation of a single point is no quantity.

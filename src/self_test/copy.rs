@@ -1,18 +1,18 @@
 //! A copy of Peskin's scheme on mass points, written from the note in plain loops, with one place for each
-//! defect. It shares no code with the product but the force laws.
+//! flaw. It shares no code with the scheme under test but the force laws.
 
+use crate::model::forces::{Cloud, Load};
+use crate::model::{Broken, Snapshot, System};
+use crate::rotation;
+use crate::schemes::Scheme;
+use crate::simulate::{Contestant, Form, Outcome, Plan};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
-use polhode::model::forces::{Cloud, Load};
-use polhode::model::{Broken, Snapshot, System};
-use polhode::rotation;
-use polhode::schemes::Scheme;
-use polhode::simulate::{Contestant, Form, Outcome, Plan};
 
 type V3 = Vector3<f64>;
 
 /// What is wrong with the copy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Defect {
+pub(super) enum Flaw {
     None,
     Step5FromHalfPoints,
     HalfAngleIn5,
@@ -48,59 +48,80 @@ pub enum Defect {
     LastStepDropped,
     HalfStageWithFullAngle,
     PositionTwice,
+    FirstStepTwice,
+    PositionHalfWithFullStep,
+    VelocityHalfWithFullStep,
+    NoRotationInHalfStage,
+    SpinReversed,
+    HalfStepIn7,
+    HalfStepIn8,
+    DiagonalInertia,
+    OneMassLeftOut,
+    EqualMasses,
+    StaleLever,
+    ClockOneStepLate,
+    StepALittleLong,
+    SinglePrecisionArms,
+    SinglePrecisionAngle,
+    DriftWithNewVelocity,
+    SpinKeptForTwoSteps,
 }
 
-impl Defect {
-    /// Every defect but none.
-    pub const ALL: [Defect; 34] = [
-        Defect::Step5FromHalfPoints,
-        Defect::HalfAngleIn5,
-        Defect::SpinOfStartIn5,
-        Defect::HalfSpinFromStartInertia,
-        Defect::HalfSpinFromStartMomentum,
-        Defect::TorqueOfStartIn8,
-        Defect::Step4WithFullStep,
-        Defect::MomentumRenormalised,
-        Defect::ForceOfStartIn7,
-        Defect::ForceNotOverMass,
-        Defect::VelocityOfStartIn6,
-        Defect::ArmFromWorldOrigin,
-        Defect::VelocityWithoutSpin,
-        Defect::VelocityWithWrongSign,
-        Defect::InertiaWithWrongSign,
-        Defect::InertiaFrozen,
-        Defect::MassAsNumberOfPoints,
-        Defect::RotationTransposed,
-        Defect::Cayley,
-        Defect::SineOfAngle,
-        Defect::RotationToSecondOrder,
-        Defect::IdentityBelowAThousandth,
-        Defect::AngleModuloPi,
-        Defect::AngleClamped,
-        Defect::TrapezoidIn6,
-        Defect::HeunCorrector,
-        Defect::EnergyProjection,
-        Defect::TorqueDropped,
-        Defect::TorqueOfWrongSign,
-        Defect::HalfStageForcesAtStart,
-        Defect::HalfStageForcesAtEnd,
-        Defect::LastStepDropped,
-        Defect::HalfStageWithFullAngle,
-        Defect::PositionTwice,
+impl Flaw {
+    /// Every flaw but none.
+    pub(super) const ALL: [Flaw; 51] = [
+        Flaw::Step5FromHalfPoints,
+        Flaw::HalfAngleIn5,
+        Flaw::SpinOfStartIn5,
+        Flaw::HalfSpinFromStartInertia,
+        Flaw::HalfSpinFromStartMomentum,
+        Flaw::TorqueOfStartIn8,
+        Flaw::Step4WithFullStep,
+        Flaw::MomentumRenormalised,
+        Flaw::ForceOfStartIn7,
+        Flaw::ForceNotOverMass,
+        Flaw::VelocityOfStartIn6,
+        Flaw::ArmFromWorldOrigin,
+        Flaw::VelocityWithoutSpin,
+        Flaw::VelocityWithWrongSign,
+        Flaw::InertiaWithWrongSign,
+        Flaw::InertiaFrozen,
+        Flaw::MassAsNumberOfPoints,
+        Flaw::RotationTransposed,
+        Flaw::Cayley,
+        Flaw::SineOfAngle,
+        Flaw::RotationToSecondOrder,
+        Flaw::IdentityBelowAThousandth,
+        Flaw::AngleModuloPi,
+        Flaw::AngleClamped,
+        Flaw::TrapezoidIn6,
+        Flaw::HeunCorrector,
+        Flaw::EnergyProjection,
+        Flaw::TorqueDropped,
+        Flaw::TorqueOfWrongSign,
+        Flaw::HalfStageForcesAtStart,
+        Flaw::HalfStageForcesAtEnd,
+        Flaw::LastStepDropped,
+        Flaw::HalfStageWithFullAngle,
+        Flaw::PositionTwice,
+        Flaw::FirstStepTwice,
+        Flaw::PositionHalfWithFullStep,
+        Flaw::VelocityHalfWithFullStep,
+        Flaw::NoRotationInHalfStage,
+        Flaw::SpinReversed,
+        Flaw::HalfStepIn7,
+        Flaw::HalfStepIn8,
+        Flaw::DiagonalInertia,
+        Flaw::OneMassLeftOut,
+        Flaw::EqualMasses,
+        Flaw::StaleLever,
+        Flaw::ClockOneStepLate,
+        Flaw::StepALittleLong,
+        Flaw::SinglePrecisionArms,
+        Flaw::SinglePrecisionAngle,
+        Flaw::DriftWithNewVelocity,
+        Flaw::SpinKeptForTwoSteps,
     ];
-
-    /// Whether the wrong scheme is still of second order, so that only its constants or its exactness tell.
-    pub fn stays_second_order(self) -> bool {
-        matches!(
-            self,
-            Defect::Cayley
-                | Defect::SineOfAngle
-                | Defect::RotationToSecondOrder
-                | Defect::TrapezoidIn6
-                | Defect::HeunCorrector
-                | Defect::EnergyProjection
-        )
-    }
 }
 
 #[derive(Clone)]
@@ -123,38 +144,38 @@ struct Copy<'a> {
     body_arms: Vec<V3>,
     pivot: Option<V3>,
     start_inertia: Matrix3<f64>,
-    defect: Defect,
+    start_arms: Vec<V3>,
+    flaw: Flaw,
 }
 
-/// The copy with a defect, under the name and the claims of the scheme that it pretends to be.
-pub fn contestant(defect: Defect) -> Contestant {
-    Contestant::foreign(polhode::schemes::PeskinRk2::CARD, move |system, form, plan, store| {
-        run(defect, system, form, plan, store)
+/// The copy with a flaw, under the name and the claims of the scheme that it pretends to be.
+pub(super) fn contestant(flaw: Flaw) -> Contestant {
+    Contestant::foreign(crate::schemes::PeskinRk2::CARD, move |system, form, plan, store| {
+        run(flaw, system, form, plan, store)
     })
 }
 
-fn run(
-    defect: Defect,
-    system: &System,
-    _form: Form,
-    plan: &Plan,
-    store: &mut dyn FnMut(&Snapshot),
-) -> Outcome {
-    let copy = Copy::new(system, defect);
+fn run(flaw: Flaw, system: &System, _form: Form, plan: &Plan, store: &mut dyn FnMut(&Snapshot)) -> Outcome {
+    let copy = Copy::new(system, flaw);
     let mut state = copy.start();
     let mut outcome = Outcome::none_yet();
     for n in 0..=plan.steps {
         if n % plan.every == 0 || n == plan.steps {
             store(&copy.observe(n as f64 * plan.step, &state));
         }
-        if n < plan.steps && !(defect == Defect::LastStepDropped && n + 1 == plan.steps) {
-            copy.step(n as f64 * plan.step, plan.step, &mut state);
+        if n < plan.steps && !(flaw == Flaw::LastStepDropped && n + 1 == plan.steps) {
+            let late = if flaw == Flaw::ClockOneStepLate { plan.step } else { 0.0 };
+            let long = if flaw == Flaw::StepALittleLong { 1.0 + 1e-4 } else { 1.0 };
+            copy.step(n as f64 * plan.step - late, plan.step * long, &mut state);
+            if flaw == Flaw::FirstStepTwice && n == 0 {
+                copy.step(0.0, plan.step, &mut state);
+            }
         }
     }
     let sum = state.momentum.sum() + state.position.sum() + state.arms.iter().map(|a| a.sum()).sum::<f64>();
     if !sum.is_finite() {
         let why = Broken::NotFinite;
-        outcome.broken = Some(polhode::simulate::Break { step: plan.steps, time: 0.0, why });
+        outcome.broken = Some(crate::simulate::Break { step: plan.steps, time: 0.0, why });
     }
     outcome.steps = plan.steps;
     outcome.evaluations = 2 * plan.steps;
@@ -162,11 +183,13 @@ fn run(
 }
 
 impl<'a> Copy<'a> {
-    fn new(system: &'a System, defect: Defect) -> Copy<'a> {
+    fn new(system: &'a System, flaw: Flaw) -> Copy<'a> {
         let masses: Vec<f64> = system.body.points.iter().map(|p| p.mass).collect();
         let body_arms: Vec<V3> = system.body.points.iter().map(|p| p.position).collect();
         let pivot = system.body.pivoted.then(|| system.origin());
-        let mut copy = Copy { system, masses, body_arms, pivot, start_inertia: Matrix3::zeros(), defect };
+        let (start_inertia, start_arms) = (Matrix3::zeros(), Vec::new());
+        let mut copy = Copy { system, masses, body_arms, pivot, start_inertia, start_arms, flaw };
+        copy.start_arms = copy.start().arms;
         copy.start_inertia = copy.inertia(&copy.start().arms);
         copy
     }
@@ -182,16 +205,26 @@ impl<'a> Copy<'a> {
     }
 
     fn inertia(&self, arms: &[V3]) -> Matrix3<f64> {
-        let sign = if self.defect == Defect::InertiaWithWrongSign { 1.0 } else { -1.0 };
-        arms.iter()
+        let sign = if self.flaw == Flaw::InertiaWithWrongSign { 1.0 } else { -1.0 };
+        let skipped = usize::from(self.flaw == Flaw::OneMassLeftOut);
+        let mean = self.masses.iter().sum::<f64>() / self.masses.len() as f64;
+        let mass = |m: &f64| if self.flaw == Flaw::EqualMasses { mean } else { *m };
+        let inertia: Matrix3<f64> = arms
+            .iter()
             .zip(&self.masses)
-            .map(|(x, m)| (Matrix3::identity() * x.norm_squared() + x * x.transpose() * sign) * *m)
-            .sum()
+            .skip(skipped)
+            .map(|(x, m)| (Matrix3::identity() * x.norm_squared() + x * x.transpose() * sign) * mass(m))
+            .sum();
+        if self.flaw == Flaw::DiagonalInertia {
+            return Matrix3::from_diagonal(&inertia.diagonal());
+        }
+        inertia
     }
 
     fn spin(&self, inertia: &Matrix3<f64>, momentum: &V3) -> V3 {
-        let inertia = if self.defect == Defect::InertiaFrozen { &self.start_inertia } else { inertia };
-        inertia.lu().solve(momentum).unwrap_or_else(|| V3::repeat(f64::NAN))
+        let inertia = if self.flaw == Flaw::InertiaFrozen { &self.start_inertia } else { inertia };
+        let spin = inertia.lu().solve(momentum).unwrap_or_else(|| V3::repeat(f64::NAN));
+        if self.flaw == Flaw::SpinReversed { -spin } else { spin }
     }
 
     /// Where Ω, F and τ come from.
@@ -200,14 +233,14 @@ impl<'a> Copy<'a> {
             Some(pivot) => (pivot, V3::zeros()),
             None => (state.position, state.velocity),
         };
-        let spin_of_points = match self.defect {
-            Defect::VelocityWithoutSpin => V3::zeros(),
-            Defect::VelocityWithWrongSign => -spin,
+        let spin_of_points = match self.flaw {
+            Flaw::VelocityWithoutSpin => V3::zeros(),
+            Flaw::VelocityWithWrongSign => -spin,
             _ => spin,
         };
         let cloud = Cloud {
             arms: &state.arms,
-            levers: &state.arms,
+            levers: if self.flaw == Flaw::StaleLever { &self.start_arms } else { &state.arms },
             masses: &self.masses,
             origin,
             velocity,
@@ -218,31 +251,34 @@ impl<'a> Copy<'a> {
             axes: Matrix3::identity(),
         };
         let Load { force, mut torque } = self.system.forces.load_on_points(t, &cloud);
-        match self.defect {
-            Defect::ArmFromWorldOrigin => torque += origin.cross(&force),
-            Defect::TorqueDropped => torque = V3::zeros(),
-            Defect::TorqueOfWrongSign => torque = -torque,
+        match self.flaw {
+            Flaw::ArmFromWorldOrigin => torque += origin.cross(&force),
+            Flaw::TorqueDropped => torque = V3::zeros(),
+            Flaw::TorqueOfWrongSign => torque = -torque,
             _ => {}
         }
         Stage { spin, force, torque }
     }
 
     fn rotation(&self, spin: &V3, s: f64) -> Matrix3<f64> {
-        let angle = spin.norm() * s;
+        let mut angle = spin.norm() * s;
+        if self.flaw == Flaw::SinglePrecisionAngle {
+            angle = f64::from(angle as f32);
+        }
         if angle == 0.0 {
             return Matrix3::identity();
         }
         let axis = spin / spin.norm();
         let k = axis.cross_matrix();
         let exact = |angle: f64| Matrix3::identity() + k * angle.sin() + k * k * (1.0 - angle.cos());
-        match self.defect {
-            Defect::RotationTransposed => exact(angle).transpose(),
-            Defect::Cayley => exact(2.0 * (angle / 2.0).atan()),
-            Defect::SineOfAngle => exact(angle.sin()),
-            Defect::RotationToSecondOrder => Matrix3::identity() + k * angle + k * k * (angle * angle / 2.0),
-            Defect::IdentityBelowAThousandth if angle < 1e-3 => Matrix3::identity(),
-            Defect::AngleModuloPi => exact(angle % std::f64::consts::PI),
-            Defect::AngleClamped => exact(angle.min(std::f64::consts::PI)),
+        match self.flaw {
+            Flaw::RotationTransposed => exact(angle).transpose(),
+            Flaw::Cayley => exact(2.0 * (angle / 2.0).atan()),
+            Flaw::SineOfAngle => exact(angle.sin()),
+            Flaw::RotationToSecondOrder => Matrix3::identity() + k * angle + k * k * (angle * angle / 2.0),
+            Flaw::IdentityBelowAThousandth if angle < 1e-3 => Matrix3::identity(),
+            Flaw::AngleModuloPi => exact(angle % std::f64::consts::PI),
+            Flaw::AngleClamped => exact(angle.min(std::f64::consts::PI)),
             _ => exact(angle),
         }
     }
@@ -253,8 +289,8 @@ impl<'a> Copy<'a> {
     }
 
     fn step(&self, t: f64, h: f64, state: &mut State) {
-        use Defect as D;
-        let d = self.defect;
+        use Flaw as D;
+        let d = self.flaw;
         let mass: f64 = match d {
             D::MassAsNumberOfPoints => self.masses.len() as f64,
             _ => self.masses.iter().sum(),
@@ -262,11 +298,17 @@ impl<'a> Copy<'a> {
         let over_mass = if d == D::ForceNotOverMass { 1.0 } else { mass };
         let inertia = self.inertia(&state.arms);
         let k0 = self.stage(t, state, self.spin(&inertia, &state.momentum));
-        let half_angle = if d == D::HalfStageWithFullAngle { h } else { h / 2.0 };
+        let half_angle = match d {
+            D::HalfStageWithFullAngle => h,
+            D::NoRotationInHalfStage => 0.0,
+            _ => h / 2.0,
+        };
+        let half_drift = if d == D::PositionHalfWithFullStep { h } else { h / 2.0 };
+        let half_kick = if d == D::VelocityHalfWithFullStep { h } else { h / 2.0 };
         let half = State {
             arms: self.turned(&state.arms, &k0.spin, half_angle), // (1)
-            position: state.position + state.velocity * (h / 2.0), // (2)
-            velocity: state.velocity + k0.force * (h / 2.0 / over_mass), // (3)
+            position: state.position + state.velocity * half_drift, // (2)
+            velocity: state.velocity + k0.force * (half_kick / over_mass), // (3)
             momentum: state.momentum + k0.torque * if d == D::Step4WithFullStep { h } else { h / 2.0 }, // (4)
         };
         let half_inertia = if d == D::HalfSpinFromStartInertia { inertia } else { self.inertia(&half.arms) };
@@ -279,6 +321,7 @@ impl<'a> Copy<'a> {
         let k1 = self.stage(half_time, &half, self.spin(&half_inertia, &half_momentum));
         let spin = match d {
             D::SpinOfStartIn5 => k0.spin,
+            D::SpinKeptForTwoSteps if (t / h).round() as u64 % 2 == 1 => k0.spin,
             D::HeunCorrector => self.heun_spin(t, h, state, &k0),
             _ => k1.spin,
         };
@@ -286,18 +329,23 @@ impl<'a> Copy<'a> {
         let angle = if d == D::HalfAngleIn5 { h / 2.0 } else { h };
         let force = if d == D::ForceOfStartIn7 { k0.force } else { k1.force };
         let torque = if d == D::TorqueOfStartIn8 { k0.torque } else { k1.torque };
-        let velocity = state.velocity + force * (h / over_mass); // (7)
+        let whole_kick = if d == D::HalfStepIn7 { h / 2.0 } else { h };
+        let velocity = state.velocity + force * (whole_kick / over_mass); // (7)
         let drift = match d {
             D::VelocityOfStartIn6 => state.velocity,
             D::TrapezoidIn6 => (state.velocity + velocity) * 0.5,
             D::PositionTwice => half.velocity * (1.0 + h),
+            D::DriftWithNewVelocity => velocity,
             _ => half.velocity,
         };
-        let mut momentum = state.momentum + torque * h; // (8)
+        let mut momentum = state.momentum + torque * if d == D::HalfStepIn8 { h / 2.0 } else { h }; // (8)
         if d == D::MomentumRenormalised {
             momentum *= state.momentum.norm() / momentum.norm();
         }
-        let arms = self.turned(from, &spin, angle); // (5)
+        let mut arms = self.turned(from, &spin, angle); // (5)
+        if d == D::SinglePrecisionArms {
+            arms.iter_mut().for_each(|arm| *arm = arm.map(|x| f64::from(x as f32)));
+        }
         let position = state.position + drift * h; // (6)
         let energy = 0.5 * k0.spin.dot(&state.momentum);
         *state = State { arms, position, velocity, momentum };

@@ -1,0 +1,382 @@
+//! Defects outside the scheme: in the force laws, at the start of a run, in what a run shows, in the reference, and in what is
+//! claimed. A right scheme runs; everything around it is bent.
+
+use nalgebra::Vector3;
+
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
+use crate::model::forces::{Forces, Law, TorqueAxes};
+use crate::model::{Snapshot, System};
+use crate::reference::Reference;
+use crate::rotation;
+
+/// How a defect is planted.
+#[derive(Clone, Copy)]
+pub(super) enum Plant {
+    /// A flaw of the copy of the scheme.
+    Scheme(super::copy::Flaw),
+    /// The scheme runs under other laws than those that it is judged in.
+    Law(fn(&mut Law)),
+    /// It starts elsewhere.
+    Start(fn(&mut System)),
+    /// What a run shows is not its state.
+    Shown(fn(&mut Snapshot, &System)),
+    /// Claims of the scheme of this name that it does not keep.
+    Claims(&'static str, &'static [Claim]),
+    /// The reference is another motion.
+    Reference(fn(&mut Reference)),
+}
+
+/// A defect outside the scheme: its name, how it is planted, and the scenes that show it.
+pub(super) type Row = (&'static str, Plant, &'static [&'static str]);
+
+const SPRINGS: &[&str] = &["tether-springs", "lagrange-top-pivot-spring"];
+const FIELDS: &[&str] = &["charged-body-in-fields", "time-dependent-field"];
+const FALL: &[&str] = &["gravity-drag", "kovalevskaya"];
+const FREE: &[&str] = &["free-asymmetric", "tether-springs"];
+
+/// Laws that are not those of the scene.
+pub(super) const LAWS: &[Row] = &[
+    (
+        "spring without damping",
+        Plant::Law(|law| spring(law, |s| s.damping = 0.0)),
+        &["lagrange-top-pivot-spring", "tether-springs"],
+    ),
+    ("spring that is slack at a length", Plant::Law(|law| spring(law, |s| s.rest_length += 0.125)), SPRINGS),
+    ("spring stiffer by a thousandth", Plant::Law(|law| spring(law, |s| s.stiffness *= 1.001)), SPRINGS),
+    ("spring that pushes", Plant::Law(|law| spring(law, |s| s.stiffness = -s.stiffness)), SPRINGS),
+    (
+        "spring anchored at the origin",
+        Plant::Law(|law| spring(law, |s| s.anchor = Vector3::zeros())),
+        SPRINGS,
+    ),
+    ("gravity turned over", Plant::Law(|law| gravity(law, -1.0)), FALL),
+    ("gravity of 9.81 told as 9.8", Plant::Law(|law| gravity(law, 9.8 / 9.81)), FALL),
+    ("gravity dropped", Plant::Law(|law| gravity(law, 0.0)), FALL),
+    ("drag doubled", Plant::Law(drag_doubled), &["gravity-drag"]),
+    ("drag that drives", Plant::Law(drag_driving), &["gravity-drag"]),
+    (
+        "cross product of the magnetic force swapped",
+        Plant::Law(|law| lorentz(law, |l| l.magnetic = -l.magnetic)),
+        FIELDS,
+    ),
+    ("electric field dropped", Plant::Law(|law| lorentz(law, |l| l.electric = Vector3::zeros())), FIELDS),
+    (
+        "field frozen at its start",
+        Plant::Law(|law| lorentz(law, |l| l.frequency = 0.0)),
+        &["time-dependent-field"],
+    ),
+    ("sine of the field told as its cosine", Plant::Law(sine_for_cosine), &["time-dependent-field"]),
+    ("central gravity a hundredth stronger", Plant::Law(central_stronger), &["gravity-gradient"]),
+    ("gravity gradient without its factor 3", Plant::Law(gradient_third), &["satellite-gravity-gradient"]),
+    ("gravity gradient along a fixed direction", Plant::Law(gradient_fixed), &["satellite-gravity-gradient"]),
+    ("moment of the dipole turned over", Plant::Law(dipole_over), &["dipole-in-field"]),
+    (
+        "torque of body axes taken in world axes",
+        Plant::Law(torque_in_world),
+        &["spinning-coin", "sciml-rigidbody-wpd"],
+    ),
+];
+
+/// Starts that are not those of the scene.
+pub(super) const STARTS: &[Row] = &[
+    (
+        "orientation at the start left out",
+        Plant::Start(|s| s.start.orientation = rotation::Rotation::identity()),
+        &["mujoco-free-box", "gravity-drag", "thin-body"],
+    ),
+    ("angular momentum taken for angular velocity", Plant::Start(momentum_for_spin), FREE),
+    (
+        "velocity at the start left out",
+        Plant::Start(|s| s.start.velocity = Vector3::zeros()),
+        &["gravity-drag", "tether-springs", "charged-body-in-fields"],
+    ),
+    (
+        "angular momentum at the start in body axes",
+        Plant::Start(momentum_in_body),
+        &["gravity-drag", "mujoco-free-box", "thin-body"],
+    ),
+    ("principal moments in another order", Plant::Start(moments_in_other_order), FREE),
+    ("degrees for radians", Plant::Start(|s| s.start.angular_momentum *= 180.0 / std::f64::consts::PI), FREE),
+    ("mass in another unit", Plant::Start(|s| s.body.mass *= 1.0 / 0.453_592_37), &["tether-springs"]),
+];
+
+/// Runs that do not show their state.
+pub(super) const SHOWN: &[Row] = &[
+    ("orientation told as world to body", Plant::Shown(|s, _| s.orientation = s.orientation.inverse()), FREE),
+    (
+        "angular velocity in body axes",
+        Plant::Shown(|s, _| s.angular_velocity = s.orientation.inverse_transform_vector(&s.angular_velocity)),
+        FREE,
+    ),
+    (
+        "angular momentum in body axes",
+        Plant::Shown(|s, _| s.angular_momentum = s.orientation.inverse_transform_vector(&s.angular_momentum)),
+        FREE,
+    ),
+    (
+        "angular momentum for angular velocity",
+        Plant::Shown(|s, _| s.angular_velocity = s.angular_momentum),
+        FREE,
+    ),
+    (
+        "angular velocity in degrees a second",
+        Plant::Shown(|s, _| s.angular_velocity *= 180.0 / std::f64::consts::PI),
+        FREE,
+    ),
+    (
+        "position and velocity swapped",
+        Plant::Shown(|s, _| std::mem::swap(&mut s.position, &mut s.velocity)),
+        &["tether-springs"],
+    ),
+    ("position in centimetres", Plant::Shown(|s, _| s.position *= 100.0), &["tether-springs"]),
+    ("angular momentum about the world's origin", Plant::Shown(momentum_about_origin), &["tether-springs"]),
+    ("position of a point for the centre of mass", Plant::Shown(point_for_center), &["tether-springs"]),
+    ("quaternion told x, y, z, w", Plant::Shown(scalar_last), FREE),
+    ("numbers in single precision", Plant::Shown(single), FREE),
+    ("a velocity that is not a number", Plant::Shown(|s, _| s.velocity.x = f64::NAN), FREE),
+    ("an infinite angular velocity", Plant::Shown(|s, _| s.angular_velocity.z = f64::INFINITY), FREE),
+    ("kinetic for angular velocity: twice too large", Plant::Shown(|s, _| s.angular_velocity *= 2.0), FREE),
+    ("time of the step before", Plant::Shown(a_step_late), FREE),
+];
+
+/// Claims that are not kept.
+pub(super) const CLAIMS: &[Row] = &[
+    ("first order claimed for the second", Plant::Claims("peskin-rk2", &[Claim::Order(1)]), FREE),
+    ("third order claimed for the second", Plant::Claims("peskin-rk2", &[Claim::Order(3)]), FREE),
+    ("second order claimed for the first", Plant::Claims("euler", &[Claim::Order(2)]), FREE),
+    ("fourth order claimed for the third", Plant::Claims("peskin-rk3", &[Claim::Order(4)]), FREE),
+    ("first order claimed for none", Plant::Claims("semi-implicit-euler-no-gyro", &[Claim::Order(1)]), FREE),
+    (
+        "order without torque claimed too high",
+        Plant::Claims("peskin-rk2", &[Claim::Order(2), Claim::OrderWithoutTorque(4)]),
+        &["free-asymmetric"],
+    ),
+    (
+        "orientation claimed exact without torque",
+        Plant::Claims("peskin-rk2", &[Claim::Order(2), Claim::Exact(Quantity::Orientation, When::NoTorque)]),
+        &["free-asymmetric"],
+    ),
+    (
+        "position claimed exact under a constant force",
+        Plant::Claims("euler", &[Claim::Order(1), Claim::Exact(Quantity::Position, When::ConstantForce)]),
+        &["osrf-boxes-complex", "nasa-check-case-2"],
+    ),
+    (
+        "angular momentum claimed exact by a rule that loses it",
+        Plant::Claims(
+            "semi-implicit-euler-no-gyro",
+            &[Claim::Exact(Quantity::AngularMomentum, When::NoTorque)],
+        ),
+        &["free-asymmetric"],
+    ),
+    (
+        "rate of the energy claimed of second order",
+        Plant::Claims("peskin-rk2", &[Claim::Energy(EnergyOfFreeBody::GrowsSecularly { rate_order: 2 })]),
+        &["free-asymmetric"],
+    ),
+    (
+        "energy claimed bounded",
+        Plant::Claims("peskin-rk2", &[Claim::Energy(EnergyOfFreeBody::Bounded)]),
+        &["free-asymmetric"],
+    ),
+    (
+        "energy claimed constant",
+        Plant::Claims("strang-rotations", &[Claim::Energy(EnergyOfFreeBody::Constant)]),
+        &["free-asymmetric"],
+    ),
+    (
+        "energy claimed to fall",
+        Plant::Claims("peskin-rk2", &[Claim::Energy(EnergyOfFreeBody::Falls)]),
+        &["free-asymmetric"],
+    ),
+    (
+        "one evaluation claimed for two",
+        Plant::Claims("peskin-rk2", &[Claim::Order(2), Claim::Evaluations(1)]),
+        FREE,
+    ),
+    (
+        "three evaluations claimed for two",
+        Plant::Claims("peskin-rk2", &[Claim::Order(2), Claim::Evaluations(3)]),
+        FREE,
+    ),
+    (
+        "an implicit equation claimed for none",
+        Plant::Claims("peskin-rk2", &[Claim::Order(2), Claim::Solves(1)]),
+        FREE,
+    ),
+    ("claimed reversible", Plant::Claims("peskin-rk2", &[Claim::Order(2), Claim::Reversible]), FREE),
+    ("claimed symplectic", Plant::Claims("implicit-midpoint", &[Claim::Order(2), Claim::Symplectic]), FREE),
+    ("claimed rigid without being so", Plant::Claims("rk2-linear", &[Claim::Order(2), Claim::Rigid]), FREE),
+    (
+        "vertical momentum claimed constant",
+        Plant::Claims("implicit-midpoint", &[Claim::Order(2), Claim::VerticalMomentum]),
+        &["heavy-asymmetric-top", "kovalevskaya"],
+    ),
+    (
+        "flip times claimed of a rule that does not flip",
+        Plant::Claims("semi-implicit-euler-no-gyro", &[Claim::Order(1), Claim::FlipTimes]),
+        &["dzhanibekov", "mujoco-middle-axis"],
+    ),
+];
+
+/// References that are another motion.
+pub(super) const REFERENCES: &[Row] = &[
+    (
+        "reference with its rotations transposed",
+        Plant::Reference(|r| states(r, |s| s.orientation = s.orientation.inverse())),
+        FREE,
+    ),
+    ("reference of another end time", Plant::Reference(shifted_samples), FREE),
+    (
+        "reference with angular velocities in body axes",
+        Plant::Reference(|r| {
+            states(r, |s| s.angular_velocity = s.orientation.inverse_transform_vector(&s.angular_velocity))
+        }),
+        FREE,
+    ),
+    (
+        "reference good to six digits, told as exact",
+        Plant::Reference(|r| states(r, |s| s.angular_momentum *= 1.0 + 1e-6)),
+        FREE,
+    ),
+    (
+        "reference without its motion of the centre",
+        Plant::Reference(|r| states(r, |s| s.position = Vector3::zeros())),
+        &["tether-springs"],
+    ),
+    ("last sample of the reference left out", Plant::Reference(last_twice), FREE),
+];
+
+fn spring(law: &mut Law, change: fn(&mut crate::model::forces::Spring)) {
+    if let Law::Spring(spring) = law {
+        change(spring);
+    }
+}
+
+fn gravity(law: &mut Law, factor: f64) {
+    if let Law::Gravity(gravity) = law {
+        gravity.acceleration *= factor;
+    }
+}
+
+fn lorentz(law: &mut Law, change: fn(&mut crate::model::forces::Lorentz)) {
+    if let Law::Lorentz(lorentz) = law {
+        change(lorentz);
+    }
+}
+
+fn drag_doubled(law: &mut Law) {
+    if let Law::Drag(drag) = law {
+        drag.coefficient = drag.coefficient.scaled(2.0);
+    }
+}
+
+fn drag_driving(law: &mut Law) {
+    if let Law::Drag(drag) = law {
+        drag.coefficient = drag.coefficient.scaled(-1.0);
+    }
+}
+
+fn sine_for_cosine(law: &mut Law) {
+    lorentz(law, |l| std::mem::swap(&mut l.electric_sine, &mut l.electric_cosine));
+}
+
+fn central_stronger(law: &mut Law) {
+    if let Law::CentralGravity(central) = law {
+        central.mu *= 1.01;
+    }
+}
+
+fn gradient_third(law: &mut Law) {
+    if let Law::GravityGradient(gradient) = law {
+        gradient.mu_over_r3 /= 3.0;
+    }
+}
+
+fn gradient_fixed(law: &mut Law) {
+    if let Law::GravityGradient(gradient) = law {
+        gradient.rate = 0.0;
+    }
+}
+
+fn dipole_over(law: &mut Law) {
+    if let Law::Dipole(dipole) = law {
+        dipole.moment = -dipole.moment;
+    }
+}
+
+fn torque_in_world(law: &mut Law) {
+    if let Law::Torque(torque) = law {
+        torque.axes = TorqueAxes::World;
+    }
+}
+
+/// The system under other laws.
+pub(super) fn under(system: &System, change: fn(&mut Law)) -> System {
+    let mut laws = system.forces.laws().to_vec();
+    laws.iter_mut().for_each(change);
+    let mut other = system.clone();
+    other.forces = Forces::new(laws, &other.body);
+    other
+}
+
+fn momentum_for_spin(system: &mut System) {
+    let turned = system.start.orientation.inverse_transform_vector(&system.start.angular_momentum);
+    system.start.angular_momentum = system.start.orientation * (system.body.inertia * turned);
+}
+
+fn momentum_in_body(system: &mut System) {
+    let start = &mut system.start;
+    start.angular_momentum = start.orientation.inverse_transform_vector(&start.angular_momentum);
+}
+
+fn moments_in_other_order(system: &mut System) {
+    system.body.moments = system.body.moments.yzx();
+}
+
+fn momentum_about_origin(shown: &mut Snapshot, system: &System) {
+    shown.angular_momentum += shown.position.cross(&(shown.velocity * system.body.mass));
+}
+
+fn point_for_center(shown: &mut Snapshot, system: &System) {
+    if let Some(point) = system.body.points.first() {
+        shown.position += shown.orientation * point.position;
+    }
+}
+
+fn scalar_last(shown: &mut Snapshot, _: &System) {
+    let q = shown.orientation;
+    shown.orientation = rotation::Rotation::new_normalize(nalgebra::Quaternion::new(q.i, q.j, q.k, q.w));
+}
+
+fn single(shown: &mut Snapshot, _: &System) {
+    let round = |v: Vector3<f64>| v.map(|x| f64::from(x as f32));
+    shown.angular_velocity = round(shown.angular_velocity);
+    shown.angular_momentum = round(shown.angular_momentum);
+    shown.position = round(shown.position);
+}
+
+/// As if the state were that of 10 ms before.
+fn a_step_late(shown: &mut Snapshot, _: &System) {
+    shown.orientation = rotation::turn(&(shown.angular_velocity * -0.01)) * shown.orientation;
+    shown.position -= shown.velocity * 0.01;
+}
+
+fn states(reference: &mut Reference, change: fn(&mut Snapshot)) {
+    reference.states.iter_mut().for_each(change);
+}
+
+/// Every sample is the next one's.
+fn shifted_samples(reference: &mut Reference) {
+    let times: Vec<f64> = reference.times.clone();
+    reference.states.rotate_left(1);
+    for (state, time) in reference.states.iter_mut().zip(times) {
+        state.time = time;
+    }
+}
+
+fn last_twice(reference: &mut Reference) {
+    if let [.., before, last] = &mut reference.states[..] {
+        *last = Snapshot { time: last.time, ..*before };
+    }
+}
