@@ -24,6 +24,7 @@ pub mod schemes;
 pub mod reference;
 pub mod scenes;
 pub mod simulate;
+pub mod ensemble;
 pub mod adaptive;
 pub mod metrics;
 pub mod gates;

@@ -18,6 +18,7 @@ const EDGES: &[(&str, &[&str])] = &[
     ("reference", &["model", "rotation"]),
     ("scenes", &["model", "rotation", "reference"]),
     ("simulate", &["interrupt", "model", "rotation", "schemes"]),
+    ("ensemble", &["interrupt", "model", "scenes", "schemes", "simulate"]),
     ("adaptive", &["claim", "interrupt", "model", "reference", "schemes", "simulate"]),
     ("metrics", &["claim", "model", "reference", "regression", "rotation", "simulate"]),
     ("gates", &["claim", "metrics", "model", "record", "reference", "regression", "rotation", "schemes"]),
