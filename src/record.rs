@@ -42,6 +42,12 @@ pub struct Records {
     pub drifts: Vec<Drift>,
     /// One row a claim that was judged.
     pub verdicts: Vec<Verdict>,
+    /// What a step costs, one row a scheme and work.
+    #[serde(default)]
+    pub costs: Vec<CostRow>,
+    /// Cost against size: of a body, of a campaign.
+    #[serde(default)]
+    pub scaling: Vec<ScalingRow>,
     /// Quantities against time, for drawing.
     #[serde(default)]
     pub series: Vec<Series>,
@@ -153,6 +159,55 @@ pub struct Measurement {
     pub force_evaluations: u64,
     /// Wall-clock cost of a step; differs from run to run.
     pub nanoseconds_per_step: Option<f64>,
+}
+
+/// What a step of a scheme costs on a kind of scene, timed alone on the machine; differs from run to run and decides nothing.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct CostRow {
+    /// Scheme.
+    pub scheme: String,
+    /// Kind of scene: `free`, `falling`, `torque or pivot`, `forced` or `points`.
+    pub kind: String,
+    /// Model that was run.
+    pub model: String,
+    /// The scene that stands for all of the same model, laws and number of points.
+    pub scene: String,
+    /// Time step [s].
+    pub step_s: f64,
+    /// Wall-clock cost of a step in the least block.
+    pub nanoseconds_per_step: f64,
+    /// In the median block.
+    pub median_nanoseconds_per_step: f64,
+    /// Evaluations of the forces a step, counted.
+    pub evaluations_per_step: f64,
+    /// Steps of a block.
+    pub steps_a_block: u64,
+    /// Blocks timed.
+    pub blocks: usize,
+    /// Time spent in them [s].
+    pub seconds: f64,
+    /// True for the second measurement of the same course: what it differs by is noise.
+    #[serde(default)]
+    pub again: bool,
+}
+
+/// A cost against a size.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct ScalingRow {
+    /// What grows: `points` (mass points of the body) or `cells` (schemes × scenes of a campaign).
+    pub what: String,
+    /// Scheme, or nothing for a campaign.
+    pub scheme: String,
+    /// Form of the model: `points` or `least`; nothing for a campaign.
+    pub form: String,
+    /// Threads.
+    pub threads: usize,
+    /// How many.
+    pub size: u64,
+    /// The cost in `unit`.
+    pub value: f64,
+    /// `ns/step` or `s`.
+    pub unit: String,
 }
 
 /// The fitted order of convergence of one quantity.
@@ -326,6 +381,8 @@ impl Records {
         self.orders.extend(other.orders);
         self.drifts.extend(other.drifts);
         self.series.extend(other.series);
+        self.costs.extend(other.costs);
+        self.scaling.extend(other.scaling);
         let judged = self.verdicts.clone();
         self.verdicts.extend(other.verdicts.into_iter().filter(|verdict| !judged.contains(verdict)));
     }
@@ -341,6 +398,7 @@ impl Records {
         kept.drifts.retain(|row| keep(&row.scheme));
         kept.verdicts.retain(|row| keep(&row.scheme));
         kept.series.retain(|row| keep(&row.scheme));
+        kept.costs.retain(|row| keep(&row.scheme));
         kept
     }
 

@@ -20,12 +20,14 @@ const EDGES: &[(&str, &[&str])] = &[
     ("simulate", &["interrupt", "model", "rotation", "schemes"]),
     ("ensemble", &["interrupt", "model", "scenes", "schemes", "simulate"]),
     ("adaptive", &["claim", "interrupt", "model", "reference", "schemes", "simulate"]),
+    ("cost", &["interrupt", "model", "scenes", "schemes", "simulate"]),
     ("metrics", &["claim", "model", "reference", "regression", "rotation", "simulate"]),
     ("gates", &["claim", "metrics", "model", "record", "reference", "regression", "rotation", "schemes"]),
     (
         "campaign",
         &[
             "claim",
+            "cost",
             "gates",
             "interrupt",
             "metrics",

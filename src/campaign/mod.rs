@@ -4,6 +4,7 @@
 //! many give the same numbers to the last bit, timings aside.
 
 mod cell;
+mod costs;
 mod rows;
 
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -16,6 +17,8 @@ use crate::record::{Machine, Records, Ruling, SCHEMA, Verdict};
 use crate::reference::{Reference, ReferenceError, stored};
 use crate::scenes::Scene;
 use crate::simulate::Contestant;
+
+pub use costs::{add_costs, typical_step};
 
 /// Samples of a reference over the run.
 const SAMPLES: usize = 64;

@@ -9,6 +9,7 @@ use crate::regression::Ladder;
 use crate::rotation;
 use crate::scenes::Scene;
 use crate::schemes::Card;
+use crate::simulate::Outcome;
 
 /// Whose rows they are.
 pub(super) struct Names<'a> {
@@ -62,11 +63,16 @@ pub(super) fn scene(
     }
 }
 
-pub(super) fn measurements(names: &Names, evidence: &Evidence) -> Vec<Measurement> {
-    evidence.rungs.iter().flat_map(|rung| rung_rows(names, rung)).collect()
+/// `own_clock`: whether the runs were timed by the program itself that made them. All others are timed after the campaign, alone.
+pub(super) fn measurements(names: &Names, evidence: &Evidence, own_clock: bool) -> Vec<Measurement> {
+    let told = |rung: &Rung| {
+        let Outcome { steps, nanoseconds, .. } = rung.outcome;
+        (own_clock && steps > 0).then(|| nanoseconds as f64 / steps as f64)
+    };
+    evidence.rungs.iter().flat_map(|rung| rung_rows(names, rung, told(rung))).collect()
 }
 
-fn rung_rows(names: &Names, rung: &Rung) -> Vec<Measurement> {
+fn rung_rows(names: &Names, rung: &Rung, nanoseconds_per_step: Option<f64>) -> Vec<Measurement> {
     let outcome = &rung.outcome;
     let common = Measurement {
         scene: names.scene.to_owned(),
@@ -77,7 +83,7 @@ fn rung_rows(names: &Names, rung: &Rung) -> Vec<Measurement> {
         status: if outcome.broken.is_some() { "broken" } else { "ok" }.to_owned(),
         why: outcome.broken.as_ref().map(ToString::to_string),
         force_evaluations: outcome.evaluations,
-        nanoseconds_per_step: (outcome.steps > 0).then(|| outcome.nanoseconds as f64 / outcome.steps as f64),
+        nanoseconds_per_step,
         ..Measurement::default()
     };
     let mut rows = Vec::new();

@@ -5,8 +5,9 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::Failure;
-use super::gate::{measure, measure_with, progress_bar};
+use super::gate::{measure_with, progress_bar};
 use super::select::{self, Selection};
+use crate::campaign;
 use crate::gates::{self, Baseline};
 use crate::record::Records;
 use crate::report;
@@ -45,10 +46,21 @@ Examples:
 /// Scenes on which every scheme is measured where none is named: free, held at a point under gravity, and under springs.
 const EVERY_SCHEME: [&str; 3] = ["free-asymmetric", "heavy-asymmetric-top", "tether-springs"];
 
+/// Time that each scheme is timed for in each kind of scene [s].
+pub(super) const SECONDS_A_COST: f64 = 0.25;
+
+/// Says on stderr what is going on.
+fn talk(quiet: bool, words: &str) {
+    if !quiet {
+        eprintln!("polhode: {words}");
+    }
+}
+
 /// The selection, or the main schemes on every scene and all of them on three. Beside the main ones all others stand apart.
 fn records(options: &Options, quiet: bool) -> Result<Records, Failure> {
     let selection = &options.selection;
-    let mut records = measure(selection, options.full, Baseline::built_in(), true, quiet)?;
+    let (scenes, contestants) = (selection.scenes()?, selection.contestants(options.full)?);
+    let mut records = measure_with(scenes.clone(), contestants.clone(), Baseline::built_in(), true, quiet);
     let main: Vec<&str> = schemes::MAIN.to_vec();
     if options.full {
         records.schemes.iter_mut().for_each(|row| row.apart = !main.contains(&row.name.as_str()));
@@ -59,6 +71,9 @@ fn records(options: &Options, quiet: bool) -> Result<Records, Failure> {
         more.schemes.iter_mut().for_each(|row| row.apart = true);
         records.take_in(more);
     }
+    // Alone, after all else: nothing may run beside a clock. The schemes that stand apart are timed in a full report only.
+    talk(quiet, "timing steps, one thread");
+    campaign::add_costs(&mut records, &scenes, &contestants, SECONDS_A_COST);
     Ok(records)
 }
 
