@@ -137,6 +137,12 @@ pub fn measure(courses: &[Course]) -> Vec<Option<Cost>> {
     runners.into_iter().map(|runner| runner.and_then(Runner::cost)).collect()
 }
 
+/// How far the two measurements of the first course are apart, relative to the first.
+pub fn noise(costs: &[Option<Cost>]) -> Option<f64> {
+    let [Some(first), .., Some(again)] = costs else { return None };
+    Some((again.nanoseconds_per_step / first.nanoseconds_per_step - 1.0).abs())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -28,6 +28,7 @@ pub mod ensemble;
 pub mod adaptive;
 pub mod cost;
 pub mod metrics;
+pub mod advice;
 pub mod gates;
 pub mod campaign;
 pub mod self_test;

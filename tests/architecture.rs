@@ -22,6 +22,10 @@ const EDGES: &[(&str, &[&str])] = &[
     ("adaptive", &["claim", "interrupt", "model", "reference", "schemes", "simulate"]),
     ("cost", &["interrupt", "model", "scenes", "schemes", "simulate"]),
     ("metrics", &["claim", "model", "reference", "regression", "rotation", "simulate"]),
+    (
+        "advice",
+        &["cost", "interrupt", "metrics", "model", "reference", "rotation", "scenes", "schemes", "simulate"],
+    ),
     ("gates", &["claim", "metrics", "model", "record", "reference", "regression", "rotation", "schemes"]),
     (
         "campaign",
@@ -66,6 +70,7 @@ const EDGES: &[(&str, &[&str])] = &[
         "cli",
         &[
             "adaptive",
+            "advice",
             "campaign",
             "claim",
             "engine",

@@ -85,7 +85,7 @@ pub(super) fn measure(
     };
     let verdicts = gates::judge(&case);
     let names = rows::Names { scene: &scene.name, scheme: contestant.card.name, model: evidence.model };
-    let mut measurements = rows::measurements(&names, &evidence, contestant.is_foreign());
+    let mut measurements = rows::measurements(&names, &evidence, contestant.has_own_clock());
     measurements.extend(drift.iter().flat_map(|drift| rows::drift_rates(&names, drift)));
     Cell {
         measurements,

@@ -53,7 +53,7 @@ pub fn typical_step(scene: &Scene) -> f64 {
 fn courses<'a>(scenes: &'a [Scene], contestants: &'a [Contestant]) -> Vec<Timed<'a>> {
     let mut courses: Vec<Timed> = Vec::new();
     let pointed = scenes.iter().find(|scene| !scene.system.body.points.is_empty());
-    for contestant in contestants.iter().filter(|contestant| !contestant.is_foreign()) {
+    for contestant in contestants.iter().filter(|contestant| !contestant.has_own_clock()) {
         let mut own: Vec<Timed> = Vec::new();
         let least = scenes.iter().map(|scene| (scene, Form::Least));
         let points = pointed.filter(|_| contestant.takes_points()).map(|scene| (scene, Form::Points));

@@ -1,5 +1,6 @@
 //! The command line: one file a subcommand. Data goes to stdout, talk and progress to stderr.
 
+mod advise;
 mod compare;
 mod engine;
 mod exit;
@@ -34,6 +35,7 @@ Examples:
   polhode gate --scheme peskin-rk2                    exit code 0 only if every claim holds
   polhode gate --scene my-body.toml --junit out.xml   your own scene, for your own CI
   polhode run dzhanibekov --scheme peskin-rk2 --step 0.01 --format csv
+  polhode advise kovalevskaya --tolerance 1e-4
   polhode list scenes
 
 Exit codes: 0 all holds, 1 a claim failed, 2 undecided, 64 wrong usage, 65 bad input,
@@ -71,6 +73,8 @@ enum Command {
     Compare(compare::Options),
     /// Run one scheme in one scene and write its states
     Run(run::Options),
+    /// Which scheme and which step for a tolerance, ranked by cost; exit code 1 where none meets it
+    Advise(advise::Options),
     /// Write a minimal foreign engine, or check that one keeps to the protocol
     Engine(engine::Options),
     /// Judge a trajectory that another program wrote
@@ -116,6 +120,7 @@ fn dispatch(arguments: Arguments) -> Result<u8, Failure> {
         Command::Gate(options) => gate::gate(&options, everywhere.quiet),
         Command::Compare(options) => compare::compare(&options, everywhere.quiet),
         Command::Run(options) => run::run(&options),
+        Command::Advise(options) => advise::advise(&options),
         Command::Engine(options) => engine::engine(&options),
         Command::Judge(options) => judge::judge(&options),
         Command::SelfTest(options) => self_test::self_test(&options, everywhere.quiet),

@@ -54,6 +54,23 @@ pub(super) fn everyone() -> Vec<Contestant> {
     Contestant::all().into_iter().chain(adaptive::contestants()).collect()
 }
 
+/// The schemes of these names; everyone where none is named, or `all`.
+pub(super) fn named(names: &[String]) -> Result<Vec<Contestant>, Failure> {
+    if names.is_empty() || names.iter().any(|name| name == "all") {
+        return Ok(everyone());
+    }
+    names.iter().map(|name| contestant(name)).collect()
+}
+
+/// ", did you mean …?" where a known name is near a mistyped one, or nothing.
+pub(super) fn meant<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> String {
+    let near = known.map(|one| (strsim::damerau_levenshtein(name, one), one)).min();
+    match near {
+        Some((distance, one)) if distance <= 1 + name.len() / 3 => format!(", did you mean {one}?"),
+        _ => String::new(),
+    }
+}
+
 /// The scheme of a name.
 pub(super) fn contestant(name: &str) -> Result<Contestant, Failure> {
     let all = everyone();

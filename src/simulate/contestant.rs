@@ -159,6 +159,16 @@ impl Contestant {
         self.refusal.is_some()
     }
 
+    /// Whether it is a program outside this process, which tells how long its steps took by a clock of its own.
+    pub fn has_own_clock(&self) -> bool {
+        self.is_foreign() && !self.chooses_steps()
+    }
+
+    /// Whether it chooses its own steps: the step that it is given stands for a tolerance.
+    pub fn chooses_steps(&self) -> bool {
+        self.card.tolerance_exponent() > 0
+    }
+
     /// Most steps that a run of a ladder may have.
     pub fn most_steps(&self) -> u64 {
         self.most_steps

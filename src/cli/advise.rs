@@ -1,0 +1,215 @@
+//! `polhode advise`: which scheme and which step for a tolerance.
+
+use clap::{Args, ValueEnum};
+use comfy_table::{ContentArrangement, Table, presets};
+use serde_json::{Value, json};
+
+use super::Failure;
+use super::select;
+use crate::advice::{Advice, Answer, Answers, Question, QuestionError, SAMPLES};
+use crate::model::Quantity;
+use crate::scenes::Scene;
+
+/// Options of `polhode advise`.
+#[derive(Args, Clone, Debug)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Options {
+    /// Built-in name or TOML file
+    scene: String,
+    /// Largest error that is allowed anywhere in the run, in the unit of the quantity
+    #[arg(long, value_name = "E", allow_negative_numbers = true)]
+    tolerance: f64,
+    /// What must be right: position, velocity, orientation, angular-velocity, angular-momentum or body-point
+    #[arg(long, value_name = "Q", default_value = "body-point")]
+    quantity: String,
+    /// Duration [s] instead of the scene's own
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    duration: Option<f64>,
+    /// Scheme to ask, or `all`; may be given several times [default: all]
+    #[arg(long = "scheme", value_name = "S")]
+    schemes: Vec<String>,
+    /// Form of the answer
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    format: Format,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Format {
+    Table,
+    Json,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  polhode advise heavy-asymmetric-top --tolerance 1e-4
+  polhode advise free-asymmetric --tolerance 1e-6 --quantity orientation --duration 60
+  polhode advise my-body.toml --tolerance 1e-3 --scheme peskin-rk2 --scheme rk4-quaternion
+
+body-point, the default, is the largest error of any point of the body [m]: it exists for every body and counts both where the
+body is and how it is turned. The error of a run is its largest at sixteen equal distances; a step is given only if its error
+is below 0.8 of the tolerance and so is that of the steps below it, down to half of it. Every step divides the duration.
+
+Exit code: 0 some scheme meets the tolerance, 1 none does, 2 the motion itself is not known well enough to say.";
+
+pub(super) fn advise(options: &Options) -> Result<u8, Failure> {
+    let quantity = quantity(&options.quantity)?;
+    if !(options.tolerance > 0.0 && options.tolerance.is_finite()) {
+        return Err(Failure::Usage(format!(
+            "--tolerance {}: expected a number above 0, in {}",
+            options.tolerance,
+            quantity.unit()
+        )));
+    }
+    let scene = Scene::find(&options.scene)?;
+    let duration = options.duration.unwrap_or(scene.duration);
+    if !(duration > 0.0 && duration.is_finite()) {
+        return Err(Failure::Usage(format!("--duration {duration}: expected a positive number of seconds")));
+    }
+    let contestants = select::named(&options.schemes)?;
+    let question = match Question::new(&scene, duration, quantity, options.tolerance) {
+        Ok(question) => question,
+        Err(error @ QuestionError::TooFine { .. }) => {
+            eprintln!("polhode: {error}");
+            return Ok(2);
+        }
+        Err(error) => return Err(Failure::Model(error.to_string())),
+    };
+    let answers = question.ask(&contestants);
+    let text = match options.format {
+        Format::Table => in_words(&scene, &question, &answers),
+        Format::Json => in_json(&scene, &question, &answers),
+    };
+    super::run::print(&text)?;
+    Ok(u8::from(answers.answers.iter().all(|answer| answer.found.is_err())))
+}
+
+/// The quantity of a name.
+fn quantity(name: &str) -> Result<Quantity, Failure> {
+    let names = Quantity::ALL.map(Quantity::name);
+    Quantity::ALL.into_iter().find(|quantity| quantity.name() == name).ok_or_else(|| {
+        let meant = select::meant(name, names.into_iter());
+        Failure::Usage(format!("no quantity '{name}'{meant}; quantities: {}", names.join(", ")))
+    })
+}
+
+fn in_words(scene: &Scene, question: &Question, answers: &Answers) -> String {
+    let unit = question.quantity.unit();
+    let mut text = format!(
+        "{}: {} within {:e} {unit} for {} s\n\n",
+        scene.name,
+        question.quantity.name().replace('-', " "),
+        question.tolerance,
+        question.duration
+    );
+    let found: Vec<(&str, &Advice)> = answers
+        .answers
+        .iter()
+        .filter_map(|answer| Some((answer.scheme, answer.found.as_ref().ok()?)))
+        .collect();
+    if found.is_empty() {
+        text += "No scheme that was asked meets this tolerance.\n";
+    } else {
+        text += &format!("{}\n", table(unit, &found));
+        if found.iter().any(|(_, advice)| advice.own_steps) {
+            text += "* chooses its own steps; the step given here stands for a tolerance of its own\n";
+        }
+        if found.iter().any(|(_, advice)| advice.steps == SAMPLES as u64) {
+            text += &format!("{SAMPLES} steps are the fewest that are tried: a larger step may do as well\n");
+        }
+        if let Some(noise) = answers.noise {
+            let percent = 100.0 * noise;
+            text += &format!(
+                "cost on this machine, one thread; the same scheme timed twice differs by {percent:.1} %\n"
+            );
+        }
+    }
+    let unmet: Vec<String> = answers
+        .answers
+        .iter()
+        .filter_map(|answer| Some(format!("  {}: {}", answer.scheme, answer.found.as_ref().err()?)))
+        .collect();
+    if !unmet.is_empty() {
+        text += &format!("\nWithout an answer:\n{}\n", unmet.join("\n"));
+    }
+    text
+}
+
+fn table(unit: &str, found: &[(&str, &Advice)]) -> Table {
+    let mut table = Table::new();
+    table.load_preset(presets::UTF8_BORDERS_ONLY).set_content_arrangement(ContentArrangement::Dynamic);
+    if !table.is_tty() {
+        table.set_width(170);
+    }
+    table.set_header([
+        "",
+        "scheme",
+        "step [s]",
+        "steps",
+        &format!("error [{unit}]"),
+        "turned a step [rad]",
+        "forces a second",
+        "cost of a second [µs]",
+        "energy drift",
+        "stable",
+    ]);
+    for (place, (scheme, advice)) in found.iter().enumerate() {
+        let name = if advice.own_steps { format!("{scheme}*") } else { (*scheme).to_owned() };
+        table.add_row([
+            (place + 1).to_string(),
+            name,
+            format!("{:.6e}", advice.step),
+            advice.steps.to_string(),
+            format!("{:.1e}", advice.error),
+            short(advice.turned),
+            short(advice.evaluations),
+            advice.nanoseconds.map_or("–".to_owned(), |cost| short(cost / 1e3)),
+            format!("{:+.1e}", advice.energy),
+            if advice.stable { "yes" } else { "no" }.to_owned(),
+        ]);
+    }
+    table
+}
+
+/// A number with about three digits, however large or small.
+fn short(value: f64) -> String {
+    match value.abs() {
+        0.0 => "0".to_owned(),
+        size if size >= 1e6 => format!("{value:.2e}"),
+        size if size >= 100.0 => format!("{value:.0}"),
+        size if size >= 1.0 => format!("{value:.1}"),
+        size if size >= 1e-2 => format!("{value:.3}"),
+        _ => format!("{value:.1e}"),
+    }
+}
+
+fn in_json(scene: &Scene, question: &Question, answers: &Answers) -> String {
+    let one = |answer: &Answer| -> Value {
+        match &answer.found {
+            Ok(advice) => json!({
+                "scheme": answer.scheme,
+                "step_s": advice.step,
+                "steps": advice.steps,
+                "error": advice.error,
+                "radians_per_step": advice.turned,
+                "force_evaluations_per_s": advice.evaluations,
+                "nanoseconds_per_s": advice.nanoseconds,
+                "energy_drift": advice.energy,
+                "stable": advice.stable,
+                "own_steps": advice.own_steps,
+                "why": null,
+            }),
+            Err(why) => json!({ "scheme": answer.scheme, "step_s": null, "why": why.to_string() }),
+        }
+    };
+    let answer = json!({
+        "schema": "polhode/advice/1",
+        "scene": scene.name,
+        "duration_s": question.duration,
+        "quantity": question.quantity.name(),
+        "unit": question.quantity.unit(),
+        "tolerance": question.tolerance,
+        "noise": answers.noise,
+        "answers": answers.answers.iter().map(one).collect::<Vec<_>>(),
+    });
+    format!("{answer:#}\n")
+}
