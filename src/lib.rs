@@ -25,6 +25,7 @@ pub mod reference;
 pub mod scenes;
 pub mod simulate;
 pub mod ensemble;
+pub mod sweep;
 pub mod adaptive;
 pub mod cost;
 pub mod metrics;

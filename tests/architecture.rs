@@ -19,6 +19,7 @@ const EDGES: &[(&str, &[&str])] = &[
     ("scenes", &["model", "rotation", "reference"]),
     ("simulate", &["interrupt", "model", "rotation", "schemes"]),
     ("ensemble", &["interrupt", "model", "scenes", "schemes", "simulate"]),
+    ("sweep", &["ensemble", "interrupt", "model", "reference", "scenes", "simulate"]),
     ("adaptive", &["claim", "interrupt", "model", "reference", "schemes", "simulate"]),
     ("cost", &["interrupt", "model", "scenes", "schemes", "simulate"]),
     ("metrics", &["claim", "model", "reference", "regression", "rotation", "simulate"]),
@@ -85,6 +86,7 @@ const EDGES: &[(&str, &[&str])] = &[
             "schemes",
             "self_test",
             "simulate",
+            "sweep",
         ],
     ),
 ];

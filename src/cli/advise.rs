@@ -84,7 +84,7 @@ pub(super) fn advise(options: &Options) -> Result<u8, Failure> {
 }
 
 /// The quantity of a name.
-fn quantity(name: &str) -> Result<Quantity, Failure> {
+pub(super) fn quantity(name: &str) -> Result<Quantity, Failure> {
     let names = Quantity::ALL.map(Quantity::name);
     Quantity::ALL.into_iter().find(|quantity| quantity.name() == name).ok_or_else(|| {
         let meant = select::meant(name, names.into_iter());

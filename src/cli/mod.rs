@@ -11,6 +11,7 @@ mod report;
 mod run;
 mod select;
 mod self_test;
+mod sweep;
 
 use std::ffi::OsString;
 use std::time::Duration;
@@ -75,6 +76,8 @@ enum Command {
     Run(run::Options),
     /// Which scheme and which step for a tolerance, ranked by cost; exit code 1 where none meets it
     Advise(advise::Options),
+    /// Run a scene with its numbers varied: tidy CSV, and a heat map of two keys or lines of one
+    Sweep(sweep::Options),
     /// Write a minimal foreign engine, or check that one keeps to the protocol
     Engine(engine::Options),
     /// Judge a trajectory that another program wrote
@@ -121,6 +124,7 @@ fn dispatch(arguments: Arguments) -> Result<u8, Failure> {
         Command::Compare(options) => compare::compare(&options, everywhere.quiet),
         Command::Run(options) => run::run(&options),
         Command::Advise(options) => advise::advise(&options),
+        Command::Sweep(options) => sweep::sweep(&options, everywhere.quiet),
         Command::Engine(options) => engine::engine(&options),
         Command::Judge(options) => judge::judge(&options),
         Command::SelfTest(options) => self_test::self_test(&options, everywhere.quiet),

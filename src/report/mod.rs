@@ -25,7 +25,7 @@ use crate::record::{RecordError, Records, write_whole};
 
 pub use github::annotations;
 pub use junit::junit;
-pub use plot::heat_map;
+pub use plot::{heat_map, line_chart};
 pub use text::verdict_table;
 
 use page::Figure;

@@ -11,6 +11,7 @@ pub mod heat_map;
 mod invariants;
 mod labels;
 mod legend;
+pub mod line_chart;
 mod overview;
 mod overview_panels;
 mod palette;

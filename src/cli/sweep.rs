@@ -1,0 +1,276 @@
+//! `polhode sweep`: one scene with its numbers varied, as tidy CSV and as a picture.
+
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+
+use super::Failure;
+use super::advise::quantity;
+use super::select;
+use crate::campaign;
+use crate::record;
+use crate::report::heat_map::{HeatMap, Map, Range, Scale};
+use crate::report::line_chart::{Line, LineChart};
+use crate::scenes::{FILES, Scene};
+use crate::simulate::Contestant;
+use crate::sweep::{Axis, Row, STEP, SceneText, Sweep};
+
+/// Options of `polhode sweep`.
+#[derive(Args, Clone, Debug)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Options {
+    /// Built-in name or TOML file
+    scene: String,
+    /// What to vary: key=from:to:n, or key=from:to:n:log for equal ratios; once or several times
+    #[arg(long, value_name = "KEY=FROM:TO:N", required = true, allow_hyphen_values = true)]
+    vary: Vec<String>,
+    /// Scheme, or `all`; may be given several times
+    #[arg(long = "scheme", value_name = "S", default_value = "peskin-rk2")]
+    schemes: Vec<String>,
+    /// Time step [s] where it is not varied [default: a turn of 0.05 rad, a 512th of the duration at most]
+    #[arg(long, value_name = "H", allow_negative_numbers = true)]
+    step: Option<f64>,
+    /// Quantity whose error at the end is measured
+    #[arg(long, value_name = "Q", default_value = "body-point")]
+    quantity: String,
+    /// Whether errors are measured, against a reference of every scene of the sweep
+    #[arg(long, value_enum, default_value_t = Errors::Auto)]
+    errors: Errors,
+    /// What the picture shows
+    #[arg(long, value_enum, default_value_t = Shown::Error)]
+    show: Shown,
+    /// File for the CSV instead of stdout; the picture goes beside it, as .png
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// File for the picture
+    #[arg(long, value_name = "FILE.png")]
+    plot: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
+enum Errors {
+    /// Up to 400 scenes
+    Auto,
+    Always,
+    Never,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
+enum Shown {
+    Error,
+    Energy,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  polhode sweep tether-springs --vary step=1e-3:1e-1:20:log --scheme peskin-rk2 --scheme rk4-quaternion --out steps.csv
+  polhode sweep tether-springs --vary forces.0.stiffness=1:1e4:40:log --vary step=1e-3:0.1:40:log --plot map.png
+  polhode sweep my-body.toml --vary initial.angular_velocity.2=0:20:41 --vary body.scale=0.5:2:3
+
+Keys: step, and every number of the scene file by its path; lists are counted from 0, and * stands for every item. body.scale
+is a factor of all lengths of the body. The step is the nearest to the one asked for that divides the duration.
+
+Exit code: 0 the table was written; a run that breaks or a scene that cannot be is a row of it.";
+
+/// Scenes whose references are worth waiting for without being asked.
+const AFFORDABLE: usize = 400;
+/// Most runs of a sweep.
+const MOST_RUNS: usize = 1_000_000;
+
+pub(super) fn sweep(options: &Options, quiet: bool) -> Result<u8, Failure> {
+    let scene = Scene::find(&options.scene)?;
+    let contestants = select::named(&options.schemes)?;
+    let sweep = plan(options, &scene)?;
+    let runs = sweep.len().saturating_mul(contestants.len());
+    if runs > MOST_RUNS {
+        return Err(Failure::Usage(format!("{runs} runs are too many: {MOST_RUNS} at most")));
+    }
+    if !quiet {
+        eprintln!("polhode: {runs} runs of {}", scene.name);
+    }
+    let rows = sweep.run(&contestants);
+    let text = csv(&sweep, &rows);
+    match &options.out {
+        Some(path) => record::write_whole(path, text.as_bytes())?,
+        None => super::run::print(&text)?,
+    }
+    if let Some(path) = options.plot.clone().or(options.out.as_ref().map(|path| path.with_extension("png"))) {
+        draw(options, &scene, &sweep, &contestants, &rows, &path)?;
+    }
+    Ok(0)
+}
+
+fn plan(options: &Options, scene: &Scene) -> Result<Sweep, Failure> {
+    let axes = options
+        .vary
+        .iter()
+        .map(|text| Axis::parse(text).map_err(|why| Failure::Usage(format!("--vary {text}: {why}"))))
+        .collect::<Result<Vec<Axis>, Failure>>()?;
+    let text = SceneText::open(&text_of(&options.scene)?)
+        .ok_or_else(|| Failure::Usage(format!("{}: not TOML", options.scene)))?;
+    for (index, axis) in axes.iter().enumerate() {
+        check(axis, &text)?;
+        if axes[..index].iter().any(|other| other.key == axis.key) {
+            return Err(Failure::Usage(format!("--vary: {} stands there twice", axis.key)));
+        }
+    }
+    let step = options.step.unwrap_or_else(|| campaign::typical_step(scene));
+    if !(step > 0.0 && step.is_finite()) {
+        return Err(Failure::Usage(format!("--step {step}: expected a positive number of seconds")));
+    }
+    let mut sweep = Sweep {
+        file: scene.file.clone(),
+        text,
+        axes,
+        step,
+        quantity: quantity(&options.quantity)?,
+        with_errors: options.errors != Errors::Never,
+    };
+    sweep.with_errors &= options.errors == Errors::Always || sweep.scenes() <= AFFORDABLE;
+    Ok(sweep)
+}
+
+/// Refuses a key that there is not, and names those that there are.
+fn check(axis: &Axis, text: &SceneText) -> Result<(), Failure> {
+    if axis.key == STEP || text.has(&axis.key) {
+        return Ok(());
+    }
+    let mut known = text.keys();
+    known.insert(0, STEP.to_owned());
+    let meant = select::meant(&axis.key, known.iter().map(String::as_str));
+    Err(Failure::Usage(format!("--vary: no key '{}'{meant}; keys: {}", axis.key, known.join(", "))))
+}
+
+/// The text of a scene file.
+fn text_of(name: &str) -> Result<String, Failure> {
+    if let Some((_, text)) = FILES.iter().find(|(known, _)| *known == name) {
+        return Ok((*text).to_owned());
+    }
+    std::fs::read_to_string(name).map_err(|source| Failure::Write { name: name.to_owned(), source })
+}
+
+fn csv(sweep: &Sweep, rows: &[Row]) -> String {
+    let quantity = sweep.quantity.name().replace('-', "_");
+    let unit = sweep.quantity.unit().replace(' ', "_").replace('²', "2").replace('/', "_");
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let mut header = vec!["scheme".to_owned()];
+    // The step that was taken has a column of its own.
+    header.extend(
+        sweep.axes.iter().map(
+            |axis| {
+                if axis.key == STEP { "step_asked_s".to_owned() } else { axis.key.clone() }
+            },
+        ),
+    );
+    header.extend(["step_s", "steps", "status", "why"].map(str::to_owned));
+    header.extend([
+        format!("{quantity}_error_{unit}"),
+        "energy_change".to_owned(),
+        "force_evaluations".to_owned(),
+    ]);
+    writer.write_record(&header).expect("a vector takes every row");
+    let number = |value: Option<f64>| value.map_or(String::new(), |value| value.to_string());
+    for row in rows {
+        let mut fields = vec![row.scheme.to_owned()];
+        fields.extend(row.values.iter().map(f64::to_string));
+        fields.extend([row.step.to_string(), row.steps.to_string(), row.status.to_owned()]);
+        fields.extend([row.why.clone().unwrap_or_default(), number(row.error), number(row.energy)]);
+        fields.push(row.evaluations.to_string());
+        writer.write_record(&fields).expect("rows are of one length");
+    }
+    let bytes = writer.into_inner().expect("a vector takes every byte");
+    String::from_utf8(bytes).expect("CSV of UTF-8 fields is UTF-8")
+}
+
+/// The number of a row that is drawn.
+fn shown(options: &Options, sweep: &Sweep, row: &Row) -> Option<f64> {
+    if options.show == Shown::Error && sweep.with_errors { row.error } else { row.energy.map(f64::abs) }
+}
+
+fn draw(
+    options: &Options,
+    scene: &Scene,
+    sweep: &Sweep,
+    contestants: &[Contestant],
+    rows: &[Row],
+    path: &Path,
+) -> Result<(), Failure> {
+    let of = |scheme: &str| rows.iter().filter(|row| row.scheme == scheme).collect::<Vec<_>>();
+    let words = if options.show == Shown::Error && sweep.with_errors {
+        let quantity = sweep.quantity;
+        format!("error of the {} at the end [{}]", quantity.name().replace('-', " "), quantity.unit())
+    } else {
+        "change of the energy, relative".to_owned()
+    };
+    let title = format!("{}: {words}", scene.title);
+    let names: Vec<&str> = contestants.iter().map(|contestant| contestant.card.name).collect();
+    let png = match &sweep.axes[..] {
+        [axis] => {
+            let line = |scheme: &&str| {
+                let points =
+                    of(scheme).iter().map(|row| (row.values[0], shown(options, sweep, row))).collect();
+                Line { words: (*scheme).to_owned(), points }
+            };
+            LineChart {
+                title: title.clone(),
+                subtitle: subtitle(scene, sweep),
+                description: title,
+                across: axis_title(axis),
+                across_logarithmic: axis.logarithmic,
+                up: words,
+                lines: names.iter().map(line).collect(),
+            }
+            .png()
+        }
+        [up, across] => {
+            let map = |scheme: &&str| Map {
+                title: if names.len() > 1 { (*scheme).to_owned() } else { String::new() },
+                across: range(across),
+                up: range(up),
+                columns: across.values.len(),
+                cells: ordered(up, across, of(scheme).iter().map(|row| shown(options, sweep, row)).collect()),
+                curves: Vec::new(),
+            };
+            HeatMap {
+                title: title.clone(),
+                subtitle: format!("{} · {}", names.join(", "), subtitle(scene, sweep)),
+                description: title,
+                scale: Scale::Numbers { title: words, logarithmic: true, range: None },
+                panels: names.iter().map(map).collect(),
+            }
+            .png()
+        }
+        axes => {
+            eprintln!("polhode: no picture of {} keys: one or two can be drawn", axes.len());
+            return Ok(());
+        }
+    };
+    let png = png.map_err(|error| Failure::Usage(error.to_string()))?;
+    Ok(record::write_whole(path, &png)?)
+}
+
+fn subtitle(scene: &Scene, sweep: &Sweep) -> String {
+    let step = format!(" · h = {} s", sweep.step);
+    let varied = sweep.axes.iter().any(|axis| axis.key == STEP);
+    format!("{}{}", scene.name, if varied { String::new() } else { step })
+}
+
+fn axis_title(axis: &Axis) -> String {
+    if axis.key == STEP { "step h [s]".to_owned() } else { axis.key.clone() }
+}
+
+fn range(axis: &Axis) -> Range {
+    let (first, last) = (axis.values[0], axis.values[axis.values.len() - 1]);
+    Range::centred(&axis_title(axis), first.min(last), first.max(last), axis.values.len(), axis.logarithmic)
+}
+
+/// Cells with both axes rising.
+fn ordered(up: &Axis, across: &Axis, cells: Vec<Option<f64>>) -> Vec<Option<f64>> {
+    let falls = |axis: &Axis| axis.values[0] > axis.values[axis.values.len() - 1];
+    let (rows, columns) = (up.values.len(), across.values.len());
+    let turned = |index: usize, count: usize, falls: bool| if falls { count - 1 - index } else { index };
+    let place = |row: usize, column: usize| {
+        turned(row, rows, falls(up)) * columns + turned(column, columns, falls(across))
+    };
+    (0..rows * columns).map(|index| cells[place(index / columns, index % columns)]).collect()
+}

@@ -1,0 +1,134 @@
+//! One panel of lines: a number against a number, a line for each name, labelled at its end.
+
+use super::axis::Axis;
+use super::convergence_panel::bounds;
+use super::labels::{self, Label};
+use super::legend::{self, Entry, Sign};
+use super::palette::Palette;
+use super::panel::{self, Frame, Panel};
+use super::render::{self, Fault};
+use super::sketch::{Anchor, Place, Sketch};
+use crate::report::DrawingError;
+
+/// A picture of lines.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LineChart {
+    /// Title.
+    pub title: String,
+    /// The line under it.
+    pub subtitle: String,
+    /// What the picture shows, for those who cannot see it.
+    pub description: String,
+    /// Name and unit of the horizontal axis.
+    pub across: String,
+    /// Whether equal distances on it are equal ratios.
+    pub across_logarithmic: bool,
+    /// Name and unit of the vertical axis, which is logarithmic.
+    pub up: String,
+    /// The lines.
+    pub lines: Vec<Line>,
+}
+
+/// A line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// Its name.
+    pub words: String,
+    /// Its points, from left to right or from right to left; a point without a value stands at the upper edge as a cross and
+    /// breaks the line.
+    pub points: Vec<(f64, Option<f64>)>,
+}
+
+const WIDTH: f64 = 1800.0;
+const HEIGHT: f64 = 1240.0;
+const MARGIN: f64 = 30.0;
+
+impl LineChart {
+    /// The picture as PNG bytes.
+    ///
+    /// # Errors
+    /// A backend that fails.
+    pub fn png(&self) -> Result<Vec<u8>, DrawingError> {
+        super::font::register().map_err(|why| Fault(why.into()))?;
+        Ok(render::png(&self.sketch())?)
+    }
+
+    pub(super) fn sketch(&self) -> Sketch {
+        let palette = Palette::new(self.lines.iter().map(|line| line.words.as_str()).collect());
+        let mut entries: Vec<Entry> = palette
+            .schemes()
+            .iter()
+            .map(|name| Entry::new(Sign::Scheme(palette.look(name)), *name))
+            .collect();
+        if self.lines.iter().any(|line| line.points.iter().any(|(_, value)| value.is_none())) {
+            entries.push(Entry::new(Sign::Cross, "no value: the run broke"));
+        }
+        let room = WIDTH - 2.0 * MARGIN - 20.0;
+        let strip = legend::height(&entries, room);
+        let mut sketch = Sketch::new(WIDTH, HEIGHT + strip, self.description.clone());
+        panel::headline(&mut sketch, &self.title, &self.subtitle);
+        let column = labels::column_width(self.lines.iter().map(|line| line.words.as_str()));
+        let frame = Frame { left: 170.0, top: 210.0, right: WIDTH - MARGIN - column, bottom: HEIGHT - 150.0 };
+        let panel = self.panel(frame);
+        panel.draw_grid(&mut sketch);
+        for line in &self.lines {
+            self.draw(&mut sketch, &panel, &palette, line);
+        }
+        panel.draw_frame(&mut sketch);
+        panel.label_x(&mut sketch, &self.across);
+        panel.label_y(&mut sketch);
+        sketch.text(&self.up, (frame.left, frame.top - 30.0), Anchor::Start, panel::TITLE);
+        let ends = self.lines.iter().filter_map(|line| self.label(&panel, &palette, line)).collect();
+        labels::draw(&mut sketch, frame, ends);
+        legend::draw(&mut sketch, &entries, MARGIN + 20.0, HEIGHT - MARGIN, room);
+        sketch
+    }
+
+    fn panel(&self, frame: Frame) -> Panel {
+        let points = || self.lines.iter().flat_map(|line| &line.points);
+        let across: Vec<f64> = points().map(|(x, _)| self.on(*x)).filter(|x| x.is_finite()).collect();
+        let up: Vec<f64> =
+            points().filter_map(|(_, y)| y.map(f64::log10)).filter(|y| y.is_finite()).collect();
+        let ((left, right), (low, high)) = (bounds(&across), bounds(&up));
+        let margin = 0.03 * (right - left).max(1e-12);
+        let x = if self.across_logarithmic {
+            Axis::logarithmic(left - margin, right + margin, 8)
+        } else {
+            Axis::linear(left - margin, right + margin, 8)
+        };
+        Panel { frame, x, y: Axis::logarithmic(low - 0.3, high + 0.6, 9) }
+    }
+
+    fn on(&self, x: f64) -> f64 {
+        if self.across_logarithmic { x.log10() } else { x }
+    }
+
+    fn place(&self, panel: &Panel, (x, y): (f64, Option<f64>)) -> Option<Place> {
+        let y = y.filter(|y| *y > 0.0)?;
+        Some(panel.place(self.on(x), y.log10()))
+    }
+
+    fn draw(&self, sketch: &mut Sketch, panel: &Panel, palette: &Palette, line: &Line) {
+        let look = palette.look(&line.words);
+        let gap = |point: &(f64, Option<f64>)| self.place(panel, *point).is_none();
+        for piece in line.points.split(gap) {
+            let places: Vec<Place> = piece.iter().filter_map(|point| self.place(panel, *point)).collect();
+            if places.len() > 1 {
+                sketch.line(places.clone(), look.ink, 4.0);
+            }
+            for place in places {
+                sketch.marker(look.marker, place, 8.0, look.ink, true);
+            }
+        }
+        for (x, _) in line.points.iter().filter(|(_, value)| value.is_none()) {
+            sketch.cross((panel.across(self.on(*x)), panel.frame.top + 22.0), 8.0, look.ink);
+        }
+    }
+
+    /// A line is named where it leaves the panel at the right.
+    fn label(&self, panel: &Panel, palette: &Palette, line: &Line) -> Option<Label> {
+        let places = line.points.iter().filter_map(|point| self.place(panel, *point));
+        let end = places.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        Some(Label { words: line.words.clone(), end, look: palette.look(&line.words) })
+    }
+}
