@@ -27,6 +27,7 @@ pub mod simulate;
 pub mod ensemble;
 pub mod adaptive;
 pub mod metrics;
+pub mod stability;
 pub mod gates;
 pub mod campaign;
 pub mod self_test;

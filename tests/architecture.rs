@@ -21,7 +21,36 @@ const EDGES: &[(&str, &[&str])] = &[
     ("ensemble", &["interrupt", "model", "scenes", "schemes", "simulate"]),
     ("adaptive", &["claim", "interrupt", "model", "reference", "schemes", "simulate"]),
     ("metrics", &["claim", "model", "reference", "regression", "rotation", "simulate"]),
-    ("gates", &["claim", "metrics", "model", "record", "reference", "regression", "rotation", "schemes"]),
+    (
+        "stability",
+        &[
+            "claim",
+            "ensemble",
+            "interrupt",
+            "metrics",
+            "model",
+            "record",
+            "reference",
+            "regression",
+            "rotation",
+            "scenes",
+            "simulate",
+        ],
+    ),
+    (
+        "gates",
+        &[
+            "claim",
+            "metrics",
+            "model",
+            "record",
+            "reference",
+            "regression",
+            "rotation",
+            "schemes",
+            "stability",
+        ],
+    ),
     (
         "campaign",
         &[
@@ -37,6 +66,7 @@ const EDGES: &[(&str, &[&str])] = &[
             "scenes",
             "schemes",
             "simulate",
+            "stability",
         ],
     ),
     ("engine", &["claim", "interrupt", "model", "reference", "rotation", "scenes", "schemes", "simulate"]),
@@ -78,6 +108,7 @@ const EDGES: &[(&str, &[&str])] = &[
             "schemes",
             "self_test",
             "simulate",
+            "stability",
         ],
     ),
 ];

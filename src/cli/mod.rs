@@ -10,6 +10,7 @@ mod report;
 mod run;
 mod select;
 mod self_test;
+mod stability;
 
 use std::ffi::OsString;
 use std::time::Duration;
@@ -73,6 +74,8 @@ enum Command {
     Run(run::Options),
     /// Write a minimal foreign engine, or check that one keeps to the protocol
     Engine(engine::Options),
+    /// Where methods fail: the largest usable steps, how they fail above them, and maps
+    Stability(stability::Options),
     /// Judge a trajectory that another program wrote
     Judge(judge::Options),
     /// Plant defects: each must turn a gate red
@@ -117,6 +120,7 @@ fn dispatch(arguments: Arguments) -> Result<u8, Failure> {
         Command::Compare(options) => compare::compare(&options, everywhere.quiet),
         Command::Run(options) => run::run(&options),
         Command::Engine(options) => engine::engine(&options),
+        Command::Stability(options) => stability::stability(&options, everywhere.quiet),
         Command::Judge(options) => judge::judge(&options),
         Command::SelfTest(options) => self_test::self_test(&options, everywhere.quiet),
         Command::List(options) => list::list(&options),
