@@ -26,6 +26,7 @@ use crate::record::{RecordError, Records, write_whole};
 
 pub use github::annotations;
 pub use junit::junit;
+pub use plot::heat_map;
 pub use stability::{table as stability_table, write as write_stability};
 pub use text::verdict_table;
 
@@ -54,6 +55,17 @@ pub enum ReportError {
         /// What the template engine said.
         source: minijinja::Error,
     },
+}
+
+/// A picture could not be drawn.
+#[derive(Debug, thiserror::Error)]
+#[error("the picture could not be drawn: {0}")]
+pub struct DrawingError(String);
+
+impl From<plot::Fault> for DrawingError {
+    fn from(plot::Fault(why): plot::Fault) -> DrawingError {
+        DrawingError(why)
+    }
 }
 
 /// Writes `records.json`, `records.csv`, `report.md`, `index.html` and `plots/*.png` into a folder.

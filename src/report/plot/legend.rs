@@ -1,6 +1,8 @@
 //! The legend: a strip of its own under the panels, so that it never covers a curve.
 
-use super::palette::{BAND, GUIDE, INK, Look, SOFT, tint};
+use plotters::style::RGBColor;
+
+use super::palette::{BAND, GUIDE, INK, Look, OVER, SOFT, tint};
 use super::sketch::{Anchor, Place, Sketch, Type};
 
 const FACE: Type = Type::plain(30.0, INK);
@@ -26,6 +28,10 @@ pub(super) enum Sign {
     Guide,
     /// The cross of a broken run.
     Cross,
+    /// A cell of a map.
+    Swatch(RGBColor),
+    /// A curve over a map.
+    Over { dashed: bool },
 }
 
 /// An entry: its sign and its words.
@@ -97,5 +103,17 @@ fn draw_sign(sketch: &mut Sketch, sign: Sign, (x, y): Place) {
         Sign::Band => sketch.area((x, y - 14.0), (x + LENGTH, y + 14.0), tint(BAND, 1.0)),
         Sign::Guide => sketch.dashes(from, to, GUIDE, 3.0),
         Sign::Cross => sketch.cross(middle, 10.0, SOFT),
+        Sign::Swatch(ink) => {
+            sketch.area((x, y - 16.0), (x + LENGTH, y + 16.0), ink);
+            sketch.outline((x, y - 16.0), (x + LENGTH, y + 16.0), SOFT, 2.0);
+        }
+        Sign::Over { dashed: false } => {
+            sketch.line(vec![from, to], INK, 9.0);
+            sketch.line(vec![from, to], OVER, 5.0);
+        }
+        Sign::Over { dashed: true } => {
+            sketch.dashes(from, to, INK, 9.0);
+            sketch.dashes(from, to, OVER, 5.0);
+        }
     }
 }

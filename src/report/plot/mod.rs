@@ -1,11 +1,13 @@
 //! The pictures of a report: which there are, and how each is drawn.
 
 mod axis;
+mod colour_map;
 mod convergence;
 mod convergence_panel;
 mod curves;
 mod drift;
 mod font;
+pub mod heat_map;
 mod invariants;
 mod labels;
 mod legend;
@@ -13,6 +15,7 @@ mod overview;
 mod overview_panels;
 mod palette;
 mod panel;
+mod raster;
 mod render;
 mod sketch;
 mod work_precision;
@@ -21,7 +24,7 @@ use crate::record::Records;
 
 use super::survey;
 use palette::Palette;
-pub(super) use render::Fault;
+pub(in crate::report) use render::Fault;
 use sketch::Sketch;
 
 /// What a picture shows.

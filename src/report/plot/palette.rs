@@ -17,10 +17,13 @@ pub(super) const GUIDE: RGBColor = RGBColor(0x9a, 0xa2, 0xab);
 pub(super) const GRID: RGBColor = RGBColor(0xe6, 0xe9, 0xec);
 /// The band of a floor or of a claim.
 pub(super) const BAND: RGBColor = RGBColor(0xdd, 0xe1, 0xe5);
+/// Curves over a map, on a rim of [`INK`].
+pub(super) const OVER: RGBColor = RGBColor(0xff, 0xff, 0xff);
 /// The ground of a panel that has words only.
 pub(super) const NOTE: RGBColor = RGBColor(0xf5, 0xf6, 0xf7);
 
-const COLOURS: [RGBColor; 8] = [
+/// Okabe and Ito's colours, in the order that schemes take them.
+pub(super) const COLOURS: [RGBColor; 8] = [
     RGBColor(0x00, 0x72, 0xb2),
     RGBColor(0xd5, 0x5e, 0x00),
     RGBColor(0x00, 0x9e, 0x73),

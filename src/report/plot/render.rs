@@ -1,15 +1,13 @@
 //! From a sketch to a PNG or an SVG: the same shapes on either backend of plotters.
 
 use plotters::coord::Shift;
-use plotters::element::{Circle, PathElement, Polygon, Text};
-use plotters::prelude::{
-    BitMapBackend, Color, DrawingArea, DrawingBackend, IntoDrawingArea, SVGBackend, WHITE,
-};
+use plotters::element::{Circle, PathElement, Polygon, Rectangle, Text};
+use plotters::prelude::{BitMapBackend, Color, DrawingArea, DrawingBackend, IntoDrawingArea, SVGBackend};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{FontStyle, IntoFont, TextStyle};
 
-use super::font;
 use super::sketch::{Anchor, Place, Shape, Sketch, Type};
+use super::{font, raster};
 
 /// A picture that could not be drawn, in the words of the backend.
 #[derive(Clone, Debug)]
@@ -43,12 +41,13 @@ pub(super) fn png(sketch: &Sketch) -> Result<Vec<u8>, Fault> {
     let (width, height) = sketch.size;
     let large = (width * OVERSAMPLING as u32, height * OVERSAMPLING as u32);
     let mut pixels = vec![255; large.0 as usize * large.1 as usize * 3];
-    paint(sketch, BitMapBackend::with_buffer(&mut pixels, large).into_drawing_area(), &BITMAP)?;
+    let area = BitMapBackend::with_buffer(&mut pixels, large).into_drawing_area();
+    paint(&sketch.shapes, area, &BITMAP)?;
     encode(&average(&pixels, width as usize, height as usize), width, height)
 }
 
 /// Without a filter: lines and flat areas repeat to the letter, which the compression itself finds best.
-fn encode(pixels: &[u8], width: u32, height: u32) -> Result<Vec<u8>, Fault> {
+pub(super) fn encode(pixels: &[u8], width: u32, height: u32) -> Result<Vec<u8>, Fault> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, width, height);
     encoder.set_color(png::ColorType::Rgb);
@@ -76,21 +75,36 @@ fn average(pixels: &[u8], width: usize, height: usize) -> Vec<u8> {
     averaged
 }
 
-/// The picture as an SVG element that scales with the page.
+/// The picture as an SVG element that scales with the page. Cells of a map are images between what is drawn before and after.
 pub(super) fn svg(sketch: &Sketch) -> Result<String, Fault> {
     let (width, height) = sketch.size;
-    let mut text = String::new();
-    paint(sketch, SVGBackend::with_string(&mut text, sketch.size).into_drawing_area(), &VECTOR)?;
-    let fixed = format!("<svg width=\"{width}\" height=\"{height}\"");
+    let is_raster = |shape: &Shape| matches!(shape, Shape::Raster { .. });
+    let mut rasters = sketch.shapes.iter().filter(|shape| is_raster(shape));
     let label = sketch.description.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
-    let scaling = format!("<svg role=\"img\" aria-label=\"{label}\"");
-    let text = text.replacen(&fixed, &scaling, 1);
-    Ok(text.replace(" opacity=\"1\"", "").replace(" font-family=\"sans-serif\"", "").replace(">\n", ">"))
+    let mut text = format!(
+        "<svg role=\"img\" aria-label=\"{label}\" viewBox=\"0 0 {width} {height}\" xmlns=\"http://www.w3.org/2000/svg\">"
+    );
+    text += "<rect width=\"100%\" height=\"100%\" fill=\"#FFFFFF\"/>";
+    for shapes in sketch.shapes.split(is_raster) {
+        text += &layer(sketch.size, shapes)?;
+        if let Some(Shape::Raster { low, high, columns, colours }) = rasters.next() {
+            text += &raster::element(*low, *high, *columns, colours)?;
+        }
+    }
+    Ok(text + "</svg>")
 }
 
-fn paint<B: DrawingBackend>(sketch: &Sketch, area: DrawingArea<B, Shift>, pen: &Pen) -> Result<(), Fault> {
-    area.fill(&WHITE).map_err(fault)?;
-    for shape in &sketch.shapes {
+/// The elements of some shapes, without the SVG around them.
+fn layer(size: (u32, u32), shapes: &[Shape]) -> Result<String, Fault> {
+    let mut text = String::new();
+    paint(shapes, SVGBackend::with_string(&mut text, size).into_drawing_area(), &VECTOR)?;
+    let start = text.find(">\n").map_or(0, |end| end + 2);
+    let body = text[start..].trim_end().trim_end_matches("</svg>");
+    Ok(body.replace(" opacity=\"1\"", "").replace(" font-family=\"sans-serif\"", "").replace(">\n", ">"))
+}
+
+fn paint<B: DrawingBackend>(shapes: &[Shape], area: DrawingArea<B, Shift>, pen: &Pen) -> Result<(), Fault> {
+    for shape in shapes {
         draw(shape, &area, pen)?;
     }
     area.present().map_err(fault)
@@ -111,6 +125,19 @@ fn draw<B: DrawingBackend>(shape: &Shape, area: &DrawingArea<B, Shift>, pen: &Pe
         Shape::Disc { centre, radius, ink } => area
             .draw(&Circle::new(at(*centre), (radius * pen.zoom).round() as i32, ink.filled()))
             .map_err(fault),
+        Shape::Raster { low, high, columns, colours } => {
+            let rows = colours.len() / columns.max(&1);
+            let edge = |column: usize, row: usize| {
+                let x = low.0 + (high.0 - low.0) * column as f64 / *columns as f64;
+                at((x, low.1 + (high.1 - low.1) * row as f64 / rows as f64))
+            };
+            for (index, ink) in colours.iter().enumerate() {
+                let (column, row) = (index % columns, index / columns);
+                let corners = [edge(column, row), edge(column + 1, row + 1)];
+                area.draw(&Rectangle::new(corners, ink.filled())).map_err(fault)?;
+            }
+            Ok(())
+        }
         Shape::Text { text, place, anchor, face } => {
             let place = (place.0, place.1 + face.em * pen.drop_em);
             area.draw(&Text::new(text.as_str(), at(place), text_style(face, *anchor, pen))).map_err(fault)

@@ -59,8 +59,15 @@ pub(super) enum Shape {
     Area { corners: Vec<Place>, ink: RGBColor },
     /// A filled disc.
     Disc { centre: Place, radius: f64, ink: RGBColor },
+    /// A rectangle of equal cells, row after row from the upper left corner.
+    Raster { low: Place, high: Place, columns: usize, colours: Vec<RGBColor> },
     /// A text, its middle height at the place.
     Text { text: String, place: Place, anchor: Anchor, face: Type },
+}
+
+/// A filled polygon as a shape.
+pub(super) fn fan(corners: Vec<Place>, ink: RGBColor) -> Shape {
+    Shape::Area { corners, ink }
 }
 
 /// A picture: its size and its shapes, the hindmost first.
@@ -87,17 +94,37 @@ impl Sketch {
 
     /// Adds a straight dashed line.
     pub(super) fn dashes(&mut self, from: Place, to: Place, ink: RGBColor, width: f64) {
+        self.dashed(&[from, to], ink, width);
+    }
+
+    /// Adds a dashed line through places; the dashes run on around its corners.
+    pub(super) fn dashed(&mut self, places: &[Place], ink: RGBColor, width: f64) {
         const DASH: f64 = 22.0;
         const GAP: f64 = 14.0;
-        let length = (to.0 - from.0).hypot(to.1 - from.1);
-        let at = |s: f64| {
-            let part = (s / length).min(1.0);
-            (from.0 + part * (to.0 - from.0), from.1 + part * (to.1 - from.1))
-        };
-        let mut start = 0.0;
-        while start < length {
-            self.line(vec![at(start), at(start + DASH)], ink, width);
-            start += DASH + GAP;
+        let (mut drawing, mut left) = (true, DASH);
+        let mut dash: Vec<Place> = places.first().copied().into_iter().collect();
+        for pair in places.windows(2) {
+            let length = (pair[1].0 - pair[0].0).hypot(pair[1].1 - pair[0].1);
+            let at = |s: f64| {
+                let part = s / length;
+                (pair[0].0 + part * (pair[1].0 - pair[0].0), pair[0].1 + part * (pair[1].1 - pair[0].1))
+            };
+            let mut along = 0.0;
+            while length - along > left {
+                along += left;
+                dash.push(at(along));
+                if drawing {
+                    self.line(std::mem::take(&mut dash), ink, width);
+                }
+                dash = vec![at(along)];
+                drawing = !drawing;
+                left = if drawing { DASH } else { GAP };
+            }
+            left -= length - along;
+            dash.push(pair[1]);
+        }
+        if drawing && dash.len() > 1 {
+            self.line(dash, ink, width);
         }
     }
 
@@ -110,6 +137,11 @@ impl Sketch {
     /// Adds the outline of an upright rectangle.
     pub(super) fn outline(&mut self, low: Place, high: Place, ink: RGBColor, width: f64) {
         self.line(vec![low, (high.0, low.1), high, (low.0, high.1), low, (high.0, low.1)], ink, width);
+    }
+
+    /// Adds a rectangle of cells.
+    pub(super) fn raster(&mut self, low: Place, high: Place, columns: usize, colours: Vec<RGBColor>) {
+        self.shapes.push(Shape::Raster { low, high, columns, colours });
     }
 
     /// Adds a level text, its middle height at the place.
