@@ -124,6 +124,9 @@ pub struct SchemeRow {
     /// True where the scheme stands in rankings and tables of verdicts alone, and is not drawn beside the main ones.
     #[serde(default)]
     pub apart: bool,
+    /// Where the scheme fails, in one line, if that is on record.
+    #[serde(default)]
+    pub fails_where: Option<String>,
 }
 
 /// One number of one run.

@@ -4,6 +4,7 @@
 
 use std::fs;
 use std::path::Path;
+use std::sync::LazyLock;
 
 use serde::{Deserialize, Serialize};
 
@@ -74,6 +75,22 @@ pub struct Limit {
     pub detail: Option<String>,
     /// True where a larger step than the limit is usable again, so that the edge is no clean one.
     pub ragged: bool,
+}
+
+impl Limit {
+    /// Whether the row tells of steps at all: the scheme takes the scene and the scene has a reference.
+    pub fn step_or_none(&self) -> bool {
+        matches!(self.status.as_str(), "limit" | "unlimited" | "none")
+    }
+
+    /// The largest usable step [s]: zero where there is none, infinite where none fails.
+    pub fn edge(&self) -> f64 {
+        match self.status.as_str() {
+            "none" => 0.0,
+            "limit" => self.step_s.unwrap_or(0.0),
+            _ => f64::INFINITY,
+        }
+    }
 }
 
 /// The limit of a scheme on the spring-held body at rest.
@@ -253,9 +270,17 @@ impl Stability {
     ///
     /// # Panics
     /// The file in the program is not of this schema, which a test rules out.
-    pub fn built_in() -> Stability {
-        Stability::parse(include_str!("../../references/stability.json"))
-            .expect("references/stability.json holds a study of stability")
+    pub fn built_in() -> &'static Stability {
+        static BUILT_IN: LazyLock<Stability> = LazyLock::new(|| {
+            Stability::parse(include_str!("../../references/stability.json"))
+                .expect("references/stability.json holds a study of stability")
+        });
+        &BUILT_IN
+    }
+
+    /// The limit of a scheme on the spring-held body of a scene, where there is one.
+    pub fn linear(&self, scene: &str, scheme: &str) -> Option<&LinearLimit> {
+        self.linear.iter().find(|row| row.scene == scene && row.scheme == scheme)
     }
 
     /// The line of a scheme, where there is one.

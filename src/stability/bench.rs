@@ -9,15 +9,18 @@ use nalgebra::Vector3;
 use super::failure::Failure;
 use super::theory;
 use crate::ensemble::{Ensemble, Member};
-use crate::model::forces::{Law, Spring};
+use crate::model::forces::{Attachment, Law, Spring};
 use crate::model::{Snapshot, Spin, System};
 use crate::rotation::Rotation;
 use crate::simulate::{Contestant, Form, Outcome, Plan};
 
-/// Displacement [m]: so small that the motion is linear to 1e-6, so large that rounding is nothing to it.
-const DISPLACEMENT: [f64; 3] = [1e-6, 0.3e-6, 0.5e-6];
-/// Energy over its start below which the displacement has died: below it there is rounding alone.
+/// Displacement [m]: so small that the motion is linear to its square, so large that rounding is nothing to it.
+const DISPLACEMENT: [f64; 3] = [1e-3, 0.3e-3, 0.5e-3];
+/// Energy over its start below which the displacement has died, and what follows is of no interest: implicit schemes, whose
+/// iterations end by relative changes, no longer end them at rest.
 const DIED: f64 = 1e-8;
+/// Energy over its start above which it has grown for good: further on the motion is no longer linear.
+const GROWN: f64 = 1e4;
 /// Growth a step that counts as none: a displacement then takes 1e4 steps to grow e-fold.
 pub const NO_GROWTH: f64 = 1e-4;
 /// Steps of a run.
@@ -43,9 +46,9 @@ pub struct Bench {
 /// What became of a small displacement.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Growth {
-    /// Its logarithmic growth a step; minus infinity where it has died.
+    /// Its logarithmic growth a step.
     Rate(f64),
-    /// The run broke.
+    /// The run broke before it had grown or died.
     Broke(Failure),
 }
 
@@ -60,45 +63,58 @@ impl Growth {
 #[derive(Clone, Copy, Debug)]
 pub struct Amplitude {
     first: f64,
+    /// Largest over the second quarter and over the second half of the run.
     before: f64,
     last: f64,
     half: f64,
+    seen: u64,
+    died: Option<u64>,
+    grown: Option<u64>,
 }
 
 impl Amplitude {
     /// Of a run that ends at `end` [s].
     pub fn new(end: f64) -> Amplitude {
-        Amplitude { first: 0.0, before: 0.0, last: 0.0, half: end / 2.0 }
+        Amplitude { first: 0.0, before: 0.0, last: 0.0, half: end / 2.0, seen: 0, died: None, grown: None }
     }
 
-    /// Takes the next energy.
+    /// Takes the energy after the next step; the first is that of the start.
     pub fn push(&mut self, time: f64, energy: f64) {
-        if time == 0.0 {
+        if self.seen == 0 {
             self.first = energy;
         }
-        let into = if time < self.half { &mut self.before } else { &mut self.last };
-        // The first quarter is forgotten: what dies there is not the mode that lasts.
-        if time < self.half / 2.0 {
-            self.before = 0.0;
-        } else if !(energy <= *into) {
-            *into = energy;
+        if energy <= DIED * self.first && self.grown.is_none() {
+            self.died.get_or_insert(self.seen);
         }
+        if energy >= GROWN * self.first && self.died.is_none() {
+            self.grown.get_or_insert(self.seen);
+        }
+        self.seen += 1;
+        let window = if time >= self.half {
+            &mut self.last
+        } else if time >= self.half / 2.0 {
+            &mut self.before
+        } else {
+            // What dies in the first quarter is not the mode that lasts.
+            return;
+        };
+        *window = window.max(energy);
     }
 
-    /// What became of it in a run of so many steps.
+    /// What became of it in a run of so many steps. The energy goes as the square of the displacement.
     pub fn growth(&self, steps: u64, outcome: &Outcome) -> Growth {
+        if let Some(died) = self.died {
+            return Growth::Rate(DIED.ln() / (2 * died.max(1)) as f64);
+        }
+        if let Some(grown) = self.grown {
+            return Growth::Rate(GROWN.ln() / (2 * grown.max(1)) as f64);
+        }
         if let Some(broken) = &outcome.broken {
             return Growth::Broke(Failure::of_break(broken.step, &broken.why));
         }
-        if !self.last.is_finite() {
-            return Growth::Broke(Failure::NotFinite { step: steps });
-        }
-        if self.last <= DIED * self.first {
-            return Growth::Rate(f64::NEG_INFINITY);
-        }
-        // Maxima over the second quarter and the second half: their middles are 3/8 of the run apart at most; the ends of
-        // either window carry its maximum when the energy grows, half a run apart.
-        Growth::Rate((self.last / self.before).ln() / steps as f64)
+        // The largest of a growing energy stand at the ends of the two windows, half a run apart.
+        let rate = (self.last / self.before).ln() / steps as f64;
+        if rate.is_finite() { Growth::Rate(rate) } else { Growth::Broke(Failure::NotFinite { step: steps }) }
     }
 }
 
@@ -122,7 +138,6 @@ impl Bench {
     }
 
     fn with(system: &System, spring: Spring) -> Option<Bench> {
-        use crate::model::forces::Attachment;
         let arm = match &spring.attachment {
             Attachment::Point(index) => system.body.points[*index].position,
             Attachment::At(position) => *position,
@@ -214,7 +229,6 @@ struct Energy {
 
 impl Energy {
     fn of(system: &System) -> Energy {
-        use crate::model::forces::Attachment;
         let spring = system.forces.laws().iter().find_map(|law| match law {
             Law::Spring(spring) => Some(spring),
             _ => None,

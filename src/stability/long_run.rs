@@ -127,7 +127,7 @@ fn final_axis(system: &System, last: &[Snapshot]) -> String {
 /// Steps of the runs that are held against the law of the energy, in radians turned.
 const LAW_TURNS: [f64; 6] = [0.4, 0.2, 0.1, 0.05, 0.025, 0.0125];
 /// Largest relative change of the energy in such a run: the rate is that of the start.
-const LAW_CHANGE: f64 = 2e-3;
+const LAW_CHANGE: f64 = 1e-4;
 
 /// Peskin's scheme on the symmetric body: measured drift rate of the energy beside the law.
 pub fn energy_law() -> Vec<EnergyRate> {
@@ -142,7 +142,7 @@ pub fn energy_law() -> Vec<EnergyRate> {
         let step = turn / rotation::length(&spin);
         let law = theory::energy_rate(system, step)?;
         let first = 0.5 * spin.dot(&(system.body.inertia * spin));
-        let steps = (LAW_CHANGE * first / (law * step)).clamp(64.0, 2e6) as u64;
+        let steps = (LAW_CHANGE * first / (law * step)).clamp(16.0, 2e6) as u64;
         let (mut start, mut end) = (None, 0.0);
         contestant.stream(system, Form::Least, &Plan { step, steps, every: steps }, &mut |state| {
             end = 0.5 * state.angular_velocity.dot(&state.angular_momentum);

@@ -47,7 +47,7 @@ pub struct Truth {
     pub settled: Option<Axis>,
     /// Whether the motion has come to rest at the end.
     pub at_rest: bool,
-    /// Whether a law puts energy in, so that a run longer than the scene says nothing.
+    /// Whether a law puts energy in or has no potential, so that a run longer than the scene says nothing.
     pub driven: bool,
 }
 
@@ -88,7 +88,7 @@ impl Truth {
             omega: natural.unwrap_or(fastest),
             omega_is_natural: natural.is_some(),
             settled: settled_axis(&system, last_quarter),
-            driven: driven(&system),
+            driven: driven(&system, &states[0]),
             system,
             duration,
             energies,
@@ -186,10 +186,13 @@ pub(super) fn axis_parts(system: &System, state: &Snapshot) -> Vector3<f64> {
     momentum.abs() / rotation::length(&momentum).max(f64::MIN_POSITIVE)
 }
 
-fn driven(system: &System) -> bool {
-    system.forces.laws().iter().any(|law| match law {
-        Law::Torque(_) | Law::Lorentz(_) => true,
-        Law::GravityGradient(law) => law.rate != 0.0,
-        _ => false,
-    })
+fn driven(system: &System, first: &Snapshot) -> bool {
+    // Without a potential, what a fall goes on to win cannot be told from what a scheme adds.
+    let untold = system.potential_energy(first).is_none();
+    untold
+        || system.forces.laws().iter().any(|law| match law {
+            Law::Torque(_) | Law::Lorentz(_) => true,
+            Law::GravityGradient(law) => law.rate != 0.0,
+            _ => false,
+        })
 }

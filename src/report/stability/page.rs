@@ -60,7 +60,7 @@ fn linear(rows: &[LinearLimit]) -> String {
     let columns = ["scheme", "body and spring of", "ζ", "largest h·ω", "theory", "which", "above it"];
     let rows: String = rows.iter().map(one).collect();
     format!(
-        "## The spring-held body at rest\n\nLargest h·ω at which a small displacement grows by less than 1e-4 a step.\n\n{}{rows}\n",
+        "## The spring-held body at rest\n\n![Largest usable steps](limits.png)\n\nLargest h·ω at which a small displacement grows by less than 1e-4 a step.\n\n{}{rows}\n",
         header(&columns)
     )
 }

@@ -49,7 +49,10 @@ pub(super) fn words(row: &Limit) -> String {
     let sign = match row.status.as_str() {
         "unlimited" => "≥ ",
         "none" => {
-            return format!("< {}", row.fails_at_s.map_or(String::new(), |step| number::significant(step, 3)));
+            return format!(
+                "< {}",
+                row.fails_at_s.map_or(String::new(), |step| number::significant(step, 3))
+            );
         }
         "not-applicable" => return "n/a".to_owned(),
         "broken" => return "no reference".to_owned(),

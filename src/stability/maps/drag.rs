@@ -57,8 +57,8 @@ pub(super) fn map(contestant: &Contestant, cells: usize) -> Option<Map> {
         let ends = Ensemble::new(contestant, members).fold(begin, see);
         let taken = ends.iter().map(|end| end.1.steps).sum();
         let value = |growth| match growth {
-            Growth::Rate(rate) => rate.clamp(-1.0, 1.0),
-            Growth::Broke(_) => 1.0,
+            Growth::Rate(rate) => rate.clamp(-0.5, 0.5),
+            Growth::Broke(_) => 0.5,
         };
         (ends.iter().map(|(amplitude, end)| Some(value(amplitude.growth(STEPS, end)))).collect(), taken)
     });

@@ -58,20 +58,31 @@ pub(super) fn curve(name: &str, map: &Map, x_of_y: impl Fn(f64) -> Option<f64>) 
     MapCurve { name: name.to_owned(), x, y }
 }
 
-/// How far the lowest x with a value above the edge is from x(y), relative: the median over the rows in which both lie inside the
-/// map.
-pub(super) fn edge_off(map: &Map, edge: f64, x_of_y: impl Fn(f64) -> Option<f64>) -> Option<f64> {
+/// The lowest x of every row at which a value rises past the edge, as a curve.
+pub(super) fn measured_edge(map: &Map, edge: f64) -> MapCurve {
     let grid = Grid { x: map.x.clone(), y: map.y.clone(), cells: map.cells };
     let across = grid.across();
-    let off = |(y, row): (f64, &Vec<Option<f64>>)| {
-        let theory = x_of_y(y)?;
-        let above = row.iter().position(|value| value.is_some_and(|value| value > edge))?;
-        let (before, after) = (row.get(above.checked_sub(1)?).copied().flatten()?, row[above]?);
-        // Within the cell: where the straight line between the two values crosses the edge.
-        let part = (edge - before) / (after - before);
-        let (low, high) = (across[above - 1], across[above]);
-        let found = if map.x.logarithmic { low * (high / low).powf(part) } else { low + (high - low) * part };
-        Some((found / theory - 1.0).abs())
-    };
-    crate::stability::kink::median(grid.along().into_iter().zip(&map.values).filter_map(off).collect())
+    let places = grid
+        .along()
+        .into_iter()
+        .zip(&map.values)
+        .filter_map(|(y, row)| Some((crossing(map, &across, row, edge)?, y)));
+    let (x, y) = places.unzip();
+    MapCurve { name: "measured".to_owned(), x, y }
+}
+
+/// How far that x is from x(y), relative: the median over the rows in which both lie inside the map.
+pub(super) fn edge_off(map: &Map, edge: f64, x_of_y: impl Fn(f64) -> Option<f64>) -> Option<f64> {
+    let measured = measured_edge(map, edge);
+    let off = measured.x.iter().zip(&measured.y).filter_map(|(x, y)| Some((x / x_of_y(*y)? - 1.0).abs()));
+    crate::stability::kink::median(off.collect())
+}
+
+/// Where the straight line between two neighbours crosses the edge.
+fn crossing(map: &Map, across: &[f64], row: &[Option<f64>], edge: f64) -> Option<f64> {
+    let above = row.iter().position(|value| value.is_some_and(|value| value > edge))?;
+    let (before, after) = (row.get(above.checked_sub(1)?).copied().flatten()?, row[above]?);
+    let part = (edge - before) / (after - before);
+    let (low, high) = (across[above - 1], across[above]);
+    Some(if map.x.logarithmic { low * (high / low).powf(part) } else { low + (high - low) * part })
 }

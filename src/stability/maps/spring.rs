@@ -1,6 +1,6 @@
 //! Step × stiffness and step × damping of the spring-held body at rest.
 
-use super::grid::{curve, edge_off};
+use super::grid::{curve, edge_off, measured_edge};
 use super::{Grid, linear, logarithmic};
 use crate::record::stability::Map;
 use crate::scenes::Scene;
@@ -11,7 +11,7 @@ use crate::stability::{Bench, Growth, NO_GROWTH};
 /// Steps of a cell.
 const STEPS: u64 = 600;
 /// Growth a step beyond which a cell is as good as broken, and decay beyond which it is as good as dead.
-const RANGE: f64 = 1.0;
+const RANGE: f64 = 0.5;
 /// Damping of the map over the stiffness [N s/m].
 const DAMPING: f64 = 8.0;
 /// Stiffness of the map over the damping [N/m].
@@ -82,9 +82,11 @@ pub(super) fn damping(contestant: &Contestant, cells: usize) -> Option<Map> {
 fn finish(map: &mut Map, title: &str, theory: impl Fn(f64) -> Option<f64>) {
     map.title = title.to_owned();
     map.edge = Some(0.0);
+    let measured = measured_edge(map, NO_GROWTH);
     let drawn = curve("linear theory", map, &theory);
     if !drawn.x.is_empty() {
         map.edge_off_theory = edge_off(map, NO_GROWTH, &theory);
         map.curves.push(drawn);
     }
+    map.curves.push(measured);
 }
