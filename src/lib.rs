@@ -30,6 +30,7 @@ pub mod adaptive;
 pub mod cost;
 pub mod metrics;
 pub mod advice;
+pub mod stability;
 pub mod gates;
 pub mod campaign;
 pub mod self_test;

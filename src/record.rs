@@ -4,6 +4,8 @@
 //! read it. Every number carries its unit and its uncertainty. A value that does not exist is `None`
 //! (`null` on disk), never a NaN.
 
+pub mod stability;
+
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -128,6 +130,9 @@ pub struct SchemeRow {
     /// True where the scheme stands in rankings and tables of verdicts alone, and is not drawn beside the main ones.
     #[serde(default)]
     pub apart: bool,
+    /// Where the scheme fails, in one line, if that is on record.
+    #[serde(default)]
+    pub fails_where: Option<String>,
 }
 
 /// One number of one run.
@@ -419,17 +424,7 @@ impl Records {
 
     /// The records as JSON text, a row a line.
     pub fn to_json(&self) -> String {
-        let value = serde_json::to_value(self).expect("records hold only strings, numbers and lists");
-        let serde_json::Value::Object(members) = value else { unreachable!("a struct becomes an object") };
-        let member = |(key, value): (String, serde_json::Value)| match value {
-            serde_json::Value::Array(rows) if !rows.is_empty() => {
-                let rows: Vec<String> = rows.iter().map(|row| format!("  {row}")).collect();
-                format!(" \"{key}\": [\n{}\n ]", rows.join(",\n"))
-            }
-            other => format!(" \"{key}\": {other}"),
-        };
-        let members: Vec<String> = members.into_iter().map(member).collect();
-        format!("{{\n{}\n}}\n", members.join(",\n"))
+        row_a_line(self)
     }
 
     /// The measurements as tidy CSV: a header, then one row each.
@@ -441,6 +436,21 @@ impl Records {
         let bytes = writer.into_inner().expect("a vector takes every byte");
         String::from_utf8(bytes).expect("CSV of UTF-8 fields is UTF-8")
     }
+}
+
+/// A struct of lists as JSON text, a row a line.
+fn row_a_line(records: &impl Serialize) -> String {
+    let value = serde_json::to_value(records).expect("records hold only strings, numbers and lists");
+    let serde_json::Value::Object(members) = value else { unreachable!("a struct becomes an object") };
+    let member = |(key, value): (String, serde_json::Value)| match value {
+        serde_json::Value::Array(rows) if !rows.is_empty() => {
+            let rows: Vec<String> = rows.iter().map(|row| format!("  {row}")).collect();
+            format!(" \"{key}\": [\n{}\n ]", rows.join(",\n"))
+        }
+        other => format!(" \"{key}\": {other}"),
+    };
+    let members: Vec<String> = members.into_iter().map(member).collect();
+    format!("{{\n{}\n}}\n", members.join(",\n"))
 }
 
 /// Writes a file so that its final name never stands for half of it: a temporary neighbour, then a rename.

@@ -27,7 +27,36 @@ const EDGES: &[(&str, &[&str])] = &[
         "advice",
         &["cost", "interrupt", "metrics", "model", "reference", "rotation", "scenes", "schemes", "simulate"],
     ),
-    ("gates", &["claim", "metrics", "model", "record", "reference", "regression", "rotation", "schemes"]),
+    (
+        "stability",
+        &[
+            "claim",
+            "ensemble",
+            "interrupt",
+            "metrics",
+            "model",
+            "record",
+            "reference",
+            "regression",
+            "rotation",
+            "scenes",
+            "simulate",
+        ],
+    ),
+    (
+        "gates",
+        &[
+            "claim",
+            "metrics",
+            "model",
+            "record",
+            "reference",
+            "regression",
+            "rotation",
+            "schemes",
+            "stability",
+        ],
+    ),
     (
         "campaign",
         &[
@@ -44,6 +73,7 @@ const EDGES: &[(&str, &[&str])] = &[
             "scenes",
             "schemes",
             "simulate",
+            "stability",
         ],
     ),
     ("engine", &["claim", "interrupt", "model", "reference", "rotation", "scenes", "schemes", "simulate"]),
@@ -87,6 +117,7 @@ const EDGES: &[(&str, &[&str])] = &[
             "self_test",
             "simulate",
             "sweep",
+            "stability",
         ],
     ),
 ];

@@ -5,11 +5,13 @@ use crate::claim::Claim;
 use crate::gates::{self, Baseline, Case};
 use crate::metrics::{self, EnergyDrift, Evidence, FlipFinder};
 use crate::model::System;
+use crate::record::stability::{LinearLimit, Stability};
 use crate::record::{Drift, Measurement, Order, Series, Verdict};
 use crate::reference::{Reference, dop853};
 use crate::rotation;
 use crate::scenes::Scene;
 use crate::simulate::{Contestant, Form, Plan};
+use crate::stability::{self, Bench};
 
 /// Intervals of the reference's flips: fine enough for cubic interpolation to 1e-9 of the duration.
 const FLIP_SAMPLES: u32 = 4096;
@@ -69,6 +71,7 @@ pub(super) fn measure(
     } else {
         Vec::new()
     };
+    let step_limit = step_limit(scene, contestant);
     let case = Case {
         scene: &scene.name,
         not_for_order: scene.not_for_order.as_deref(),
@@ -82,6 +85,7 @@ pub(super) fn measure(
         symplecticity: symplecticity.as_ref(),
         other_worlds: &other_worlds,
         baseline,
+        step_limit: step_limit.as_ref().map(|(stored, measured)| (*stored, measured)),
     };
     let verdicts = gates::judge(&case);
     let names = rows::Names { scene: &scene.name, scheme: contestant.card.name, model: evidence.model };
@@ -95,6 +99,14 @@ pub(super) fn measure(
         series: if series { against_time(&names, scene, contestant, &evidence) } else { Vec::new() },
         reduction: points.as_ref().map(|points| (points.difference, points.speedup)),
     }
+}
+
+/// The limit of stability on record for the scheme in the scene, and as it is now.
+fn step_limit(scene: &Scene, contestant: &Contestant) -> Option<(&'static LinearLimit, LinearLimit)> {
+    let stored =
+        Stability::built_in().linear(&scene.name, contestant.card.name).filter(|_| scene.built_in)?;
+    let measured = stability::linear_limit_in(&scene.name, &Bench::of(&scene.system)?, contestant)?;
+    Some((stored, measured))
 }
 
 /// The order that the scheme claims in the scene.

@@ -131,7 +131,7 @@ fn judge_reference(prepared: &Prepared) -> Verdict {
 }
 
 /// The machine that costs are measured on.
-fn machine() -> Machine {
+pub fn machine() -> Machine {
     Machine {
         os: std::env::consts::OS.to_owned(),
         architecture: std::env::consts::ARCH.to_owned(),
@@ -147,6 +147,7 @@ fn processor() -> String {
     line.and_then(|line| line.split(':').nth(1)).map(str::trim).unwrap_or_default().to_owned()
 }
 
-fn now() -> String {
+/// The time, RFC 3339, UTC.
+pub fn now() -> String {
     humantime::format_rfc3339_seconds(std::time::SystemTime::now()).to_string()
 }

@@ -3,6 +3,7 @@
 use crate::claim::Claim;
 use crate::metrics::{self, EnergyDrift, Evidence, Place, QuantityLadder, Rung};
 use crate::model::{Quantity, Snapshot, System};
+use crate::record::stability::Stability;
 use crate::record::{Drift, Measurement, Order, ReferenceRow, SceneRow, SchemeRow, Series};
 use crate::reference::Reference;
 use crate::regression::Ladder;
@@ -28,6 +29,7 @@ pub(super) fn scheme(card: &Card) -> SchemeRow {
         claims: card.claims.iter().map(Claim::to_string).collect(),
         source: card.source.to_owned(),
         apart: false,
+        fails_where: Stability::built_in().line(card.name).map(str::to_owned),
     }
 }
 

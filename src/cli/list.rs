@@ -8,6 +8,7 @@ use crate::claim::Claim;
 use crate::metrics;
 use crate::model::Quantity;
 use crate::model::forces::Law;
+use crate::record::stability::Stability;
 use crate::scenes;
 
 /// Options of `polhode list`.
@@ -52,10 +53,11 @@ fn schemes() -> Table {
             card.evaluations().to_string(),
             card.family.to_owned(),
             card.claims.iter().map(Claim::to_string).collect::<Vec<_>>().join("; "),
+            Stability::built_in().line(card.name).unwrap_or("not on record").to_owned(),
             card.source.to_owned(),
         ]
     });
-    table(&["name", "title", "order", "evaluations", "family", "claims", "source"], rows)
+    table(&["name", "title", "order", "evaluations", "family", "claims", "fails where", "source"], rows)
 }
 
 fn scenes() -> Table {

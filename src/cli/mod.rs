@@ -12,6 +12,7 @@ mod run;
 mod select;
 mod self_test;
 mod sweep;
+mod stability;
 
 use std::ffi::OsString;
 use std::time::Duration;
@@ -80,6 +81,8 @@ enum Command {
     Sweep(sweep::Options),
     /// Write a minimal foreign engine, or check that one keeps to the protocol
     Engine(engine::Options),
+    /// Where methods fail: the largest usable steps, how they fail above them, and maps
+    Stability(stability::Options),
     /// Judge a trajectory that another program wrote
     Judge(judge::Options),
     /// Plant defects: each must turn a gate red
@@ -126,6 +129,7 @@ fn dispatch(arguments: Arguments) -> Result<u8, Failure> {
         Command::Advise(options) => advise::advise(&options),
         Command::Sweep(options) => sweep::sweep(&options, everywhere.quiet),
         Command::Engine(options) => engine::engine(&options),
+        Command::Stability(options) => stability::stability(&options, everywhere.quiet),
         Command::Judge(options) => judge::judge(&options),
         Command::SelfTest(options) => self_test::self_test(&options, everywhere.quiet),
         Command::List(options) => list::list(&options),

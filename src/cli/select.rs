@@ -30,6 +30,11 @@ impl Selection {
         self.schemes.is_empty() && self.scenes.is_empty()
     }
 
+    /// Whether schemes were named.
+    pub(super) fn names_schemes(&self) -> bool {
+        !self.schemes.is_empty()
+    }
+
     /// The schemes that were named, all where `full`, or the main ones.
     pub(super) fn contestants(&self, full: bool) -> Result<Vec<Contestant>, Failure> {
         if self.schemes.is_empty() && !full {

@@ -15,12 +15,14 @@ mod reference;
 mod reversible;
 mod rigid;
 mod solves;
+mod stability;
 mod symplectic;
 mod vertical_momentum;
 
 use crate::claim::{Claim, Quantity, When};
 use crate::metrics::{EnergyDrift, Evidence, Flips, OtherWorld, PointRun, Reversal, Symplecticity};
 use crate::model::System;
+use crate::record::stability::LinearLimit;
 use crate::record::{Records, Ruling, Verdict};
 use crate::schemes::Card;
 
@@ -52,6 +54,8 @@ pub struct Case<'a> {
     pub other_worlds: &'a [OtherWorld],
     /// Error constants on record.
     pub baseline: &'a Baseline,
+    /// The limit of stability on record, and as it was measured.
+    pub step_limit: Option<(&'a LinearLimit, &'a LinearLimit)>,
 }
 
 /// Error constants on record, by scene, scheme and quantity.
@@ -110,6 +114,7 @@ pub fn judge(case: &Case) -> Vec<Verdict> {
         }
     }
     verdicts.extend(reduction::judge(case));
+    verdicts.extend(stability::judge(case));
     verdicts.extend(judge_without_order(case));
     deviations::apply(&mut verdicts);
     verdicts

@@ -11,6 +11,7 @@ mod number;
 mod page;
 mod plot;
 mod ranking;
+mod stability;
 mod survey;
 mod template;
 mod text;
@@ -26,6 +27,7 @@ use crate::record::{RecordError, Records, write_whole};
 pub use github::annotations;
 pub use junit::junit;
 pub use plot::{heat_map, line_chart};
+pub use stability::{table as stability_table, write as write_stability};
 pub use text::verdict_table;
 
 use page::Figure;

@@ -41,4 +41,12 @@ files! {
     "osrf-boxes-simple",
     "osrf-boxes-complex",
     "thin-body",
+    "near-separatrix",
+    "tippe-top",
+    "swinging-rod",
+    "disc-on-long-shaft",
+    "one-stiff-spring",
+    "released-top",
+    "spin-1e-8",
+    "spin-1e8",
 }

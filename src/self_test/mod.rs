@@ -256,6 +256,7 @@ fn judge_against(change: fn(&mut Reference), scene: &str) -> Vec<Verdict> {
         symplecticity: None,
         other_worlds: &[],
         baseline: &Baseline::built_in(),
+        step_limit: None,
     })
 }
 

@@ -36,6 +36,7 @@ fn scheme_rows() -> Vec<SchemeRow> {
         claims: vec![format!("order {order} in every quantity"), "L constant without torque".into()],
         source: "peskin2021, steps (1)–(8)".into(),
         apart: false,
+        fails_where: Some("spring-held body: from h·ω = 1.256 on (energy grows)".into()),
     };
     vec![
         card("peskin-rk2", "Peskin's two-stage scheme", 2, 2),

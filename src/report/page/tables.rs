@@ -16,6 +16,7 @@ pub(super) struct Scheme {
     claims: Vec<String>,
     source: String,
     cost: String,
+    fails_where: String,
 }
 
 impl Scheme {
@@ -29,6 +30,7 @@ impl Scheme {
             claims: row.claims.clone(),
             source: row.source.clone(),
             cost: cost(records, |measured| measured.scheme == row.name),
+            fails_where: row.fails_where.clone().unwrap_or_else(|| number::NONE.into()),
         }
     }
 }

@@ -19,6 +19,7 @@ mod panel;
 mod raster;
 mod render;
 mod sketch;
+pub(super) mod stability;
 mod work_precision;
 
 use crate::record::Records;

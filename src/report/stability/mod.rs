@@ -1,0 +1,40 @@
+//! A study of stability for the terminal and as a page: its records, drawn and written out.
+
+mod page;
+mod pictures;
+mod table;
+
+use std::path::Path;
+
+use rayon::prelude::*;
+
+use crate::record::stability::{Map, Stability};
+use crate::record::write_whole;
+
+use super::{ReportError, plot};
+
+pub use table::table;
+
+/// Writes `stability.json`, `stability.md` and the pictures into a folder.
+///
+/// # Errors
+/// A file cannot be written, or a picture cannot be made.
+pub fn write(study: &Stability, out: &Path) -> Result<(), ReportError> {
+    write_whole(&out.join("stability.json"), study.to_json().as_bytes())?;
+    write_whole(&out.join("stability.md"), page::compose(study).as_bytes())?;
+    let fault = |path: &Path, why: String| ReportError::Picture { path: path.into(), why };
+    let curves = plot::stability::pictures(study).map_err(|plot::Fault(why)| fault(out, why))?;
+    for (name, png) in curves {
+        write_whole(&out.join(name), &png)?;
+    }
+    study.maps.par_iter().try_for_each(|map| {
+        let path = out.join("maps").join(format!("{}.png", map_file(map)));
+        let png = pictures::heat_map(map).png().map_err(|error| fault(&path, error.to_string()))?;
+        Ok(write_whole(&path, &png)?)
+    })
+}
+
+/// Name of the picture of a map, without its ending.
+fn map_file(map: &Map) -> String {
+    format!("{}-{}", map.name, map.scheme)
+}

@@ -1,0 +1,97 @@
+//! The order of a scheme across a bounce: a ground that is touched and left is a force with a kink, or with a jump where the
+//! ground has a damper, and no scheme keeps its order across either.
+//!
+//! A body is dropped from many heights, so that the moment of touching falls anywhere within a step. The order between halvings
+//! of h is log₂ of |x(h) − x(h/2)| / |x(h/2) − x(h/4)|, x the place of the centre of mass after one bounce, and its median is what is
+//! told.
+
+use nalgebra::Vector3;
+
+use crate::ensemble::{Ensemble, Member};
+use crate::model::forces::{Gravity, Ground, Law};
+use crate::model::{Spin, System};
+use crate::record::stability::KinkOrder;
+use crate::rotation::Rotation;
+use crate::scenes::Scene;
+use crate::simulate::{Contestant, Plan};
+
+/// Scene that lends its body.
+const SCENE: &str = "bouncing-body";
+/// Drops.
+const DROPS: usize = 64;
+/// Duration of a drop with one bounce [s].
+pub(super) const DURATION: f64 = 0.5;
+/// Steps of the coarsest of three runs.
+const STEPS: u64 = 512;
+
+/// The body of the bouncing scene, dropped from a height of its centre [m] on a ground of this stiffness [N/m] and damping
+/// [N s/m].
+pub(super) fn drop_from(height: f64, stiffness: f64, damping: f64) -> Option<System> {
+    let scene = Scene::find(SCENE).ok()?;
+    let laws = vec![
+        Law::Gravity(Gravity { acceleration: Vector3::new(0.0, 0.0, -9.81) }),
+        Law::Ground(Ground {
+            normal: Vector3::z(),
+            height: 0.0,
+            stiffness,
+            damping,
+            friction: 0.0,
+            slip_velocity: 1.0,
+        }),
+    ];
+    let spin = Spin::Velocity(Vector3::new(1.0, 3.0, -2.0));
+    let position = Vector3::new(0.0, 0.0, height);
+    System::new(scene.system.body, laws, position, Rotation::identity(), Vector3::zeros(), spin).ok()
+}
+
+/// Orders of a scheme across a bounce for many systems, each with its coarsest number of steps; `None` where a run broke or a
+/// difference vanished. Second of each pair: the steps that were taken.
+pub(super) fn orders(contestant: &Contestant, systems: &[System], steps: &[u64]) -> (Vec<Option<f64>>, u64) {
+    let members = systems.iter().zip(steps).flat_map(|(system, steps)| {
+        [1, 2, 4].map(|times| {
+            let steps = steps * times;
+            Member {
+                system: system.clone(),
+                plan: Plan { step: DURATION / steps as f64, steps, every: steps },
+            }
+        })
+    });
+    let ensemble = Ensemble::new(contestant, members.collect());
+    let ends = ensemble.fold(|_| Vector3::zeros(), |end, state| *end = state.position);
+    let taken = ends.iter().map(|(_, outcome)| outcome.steps).sum();
+    let order = |runs: &[(Vector3<f64>, crate::simulate::Outcome)]| {
+        if runs.iter().any(|(_, outcome)| outcome.broken.is_some()) {
+            return None;
+        }
+        let (first, second) = ((runs[0].0 - runs[1].0).norm(), (runs[1].0 - runs[2].0).norm());
+        (first > 0.0 && second > 0.0).then(|| (first / second).log2())
+    };
+    (ends.chunks_exact(3).map(order).collect(), taken)
+}
+
+/// The orders of these schemes across a bounce.
+pub fn kink_orders(contestants: &[Contestant]) -> Vec<KinkOrder> {
+    let one = |contestant: &Contestant| KinkOrder {
+        scheme: contestant.card.name.to_owned(),
+        claimed: contestant.card.order(),
+        elastic: median_order(contestant, 0.0),
+        damped: median_order(contestant, 4.0),
+    };
+    contestants.iter().map(one).collect()
+}
+
+fn median_order(contestant: &Contestant, damping: f64) -> Option<f64> {
+    let height = |n: usize| 0.4 + 0.05 * n as f64 / DROPS as f64;
+    let systems: Vec<System> = (0..DROPS).filter_map(|n| drop_from(height(n), 2000.0, damping)).collect();
+    if systems.iter().any(|system| contestant.refusal(system).is_some()) {
+        return None;
+    }
+    let (orders, _) = orders(contestant, &systems, &[STEPS; DROPS]);
+    median(orders.into_iter().flatten().collect())
+}
+
+/// The middle one of these numbers.
+pub(super) fn median(mut values: Vec<f64>) -> Option<f64> {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied()
+}
