@@ -20,15 +20,15 @@ pub enum When {
     SymmetricBody,
 }
 
-impl When {
-    fn words(self) -> &'static str {
-        match self {
+impl fmt::Display for When {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(match self {
             When::NoForce => "without force",
             When::ConstantForce => "under a constant force",
             When::NoTorque => "without torque",
             When::SteadySpin => "in a steady spin (sphere, rod, principal axis)",
             When::SymmetricBody => "for a free symmetric body",
-        }
+        })
     }
 }
 
@@ -111,7 +111,7 @@ impl fmt::Display for Claim {
         match self {
             Claim::Order(order) => write!(f, "order {order} in every quantity, constants as recorded"),
             Claim::OrderWithoutTorque(order) => write!(f, "order {order} without torque"),
-            Claim::Exact(quantity, when) => write!(f, "{} exact {}", quantity.name(), when.words()),
+            Claim::Exact(quantity, when) => write!(f, "{} exact {when}", quantity.name()),
             Claim::Energy(energy) => write!(f, "energy of a free body {energy}"),
             Claim::FollowsTolerance(power) => {
                 write!(f, "steps of its own for a tolerance ∝ h^{power}, which the error follows")
@@ -124,8 +124,12 @@ impl fmt::Display for Claim {
             Claim::Equivariant => {
                 write!(f, "the same in turned, mirrored, shifted, boosted worlds and other units")
             }
-            Claim::Evaluations(count) => write!(f, "{count} force evaluations a step"),
-            Claim::Solves(count) => write!(f, "{count} implicit equations solved a step"),
+            Claim::Evaluations(count) => {
+                write!(f, "{count} force evaluation{} a step", if *count == 1 { "" } else { "s" })
+            }
+            Claim::Solves(count) => {
+                write!(f, "{count} implicit equation{} solved a step", if *count == 1 { "" } else { "s" })
+            }
         }
     }
 }

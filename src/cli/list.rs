@@ -1,7 +1,7 @@
 //! `polhode list`: what there is.
 
 use clap::{Args, ValueEnum};
-use comfy_table::{ContentArrangement, Table, presets};
+use comfy_table::{ColumnConstraint, ContentArrangement, Table, TableComponent, Width, presets};
 
 use super::{Failure, select};
 use crate::claim::Claim;
@@ -39,25 +39,86 @@ pub(super) fn list(options: &Options) -> Result<u8, Failure> {
             Law::NAMES.map(|(name, formula)| vec![name.to_owned(), formula.to_owned()]),
         ),
     };
-    super::run::print(&format!("{table}\n"))?;
+    let note =
+        if let What::Schemes = options.what { format!("\n{}\n", select::SUBSTEPS) } else { String::new() };
+    super::run::print(&format!("{table}\n{note}"))?;
     Ok(0)
 }
 
+/// Width from which on there is room for titles too.
+const WIDE: u16 = 140;
+
 fn schemes() -> Table {
+    const HEADER: [&str; 8] =
+        ["name", "order", "evaluations", "family", "claims", "fails where", "source", "title"];
+    let stability = Stability::built_in();
     let rows = select::everyone().into_iter().map(|contestant| {
         let card = contestant.card;
+        let count = |count: u32| if count == 0 { "–".to_owned() } else { count.to_string() };
         vec![
             card.name.to_owned(),
-            card.title.to_owned(),
-            card.order().to_string(),
-            card.evaluations().to_string(),
+            count(card.order()),
+            count(card.evaluations()),
             card.family.to_owned(),
-            card.claims.iter().map(Claim::to_string).collect::<Vec<_>>().join("; "),
-            Stability::built_in().line(card.name).unwrap_or("not on record").to_owned(),
+            promises(card.claims),
+            stability.line(card.name).unwrap_or("not on record").to_owned(),
             card.source.to_owned(),
+            card.title.to_owned(),
         ]
     });
-    table(&["name", "title", "order", "evaluations", "family", "claims", "fails where", "source"], rows)
+    let mut table = table(&HEADER, rows);
+    if !table.is_tty() {
+        // One scheme a line, for grep and awk.
+        table.set_content_arrangement(ContentArrangement::Disabled);
+        for between_rows in [
+            TableComponent::HorizontalLines,
+            TableComponent::MiddleIntersections,
+            TableComponent::LeftBorderIntersections,
+            TableComponent::RightBorderIntersections,
+        ] {
+            table.remove_style(between_rows);
+        }
+        return table;
+    }
+    let title = HEADER.len() - 1;
+    if table.width().is_none_or(|width| width < WIDE)
+        && let Some(column) = table.column_mut(title)
+    {
+        column.set_constraint(ColumnConstraint::Hidden);
+    }
+    // Names stand whole, to be copied; the claims get what is left.
+    for whole in [0, 2] {
+        if let Some(column) = table.column_mut(whole) {
+            column.set_constraint(ColumnConstraint::ContentWidth);
+        }
+    }
+    if let Some(claims) = table.column_mut(4) {
+        claims.set_constraint(ColumnConstraint::LowerBoundary(Width::Percentage(24)));
+    }
+    for column in table.column_iter_mut() {
+        column.set_padding((0, 1));
+    }
+    table
+}
+
+/// Claims in words; those of exactness that are made for the same scenes in one.
+fn promises(claims: &[Claim]) -> String {
+    let mut words: Vec<String> = Vec::new();
+    for (index, claim) in claims.iter().enumerate() {
+        let Claim::Exact(_, when) = claim else {
+            words.push(claim.to_string());
+            continue;
+        };
+        let alike = |other: &Claim| match other {
+            Claim::Exact(quantity, same) if same == when => Some(quantity.name()),
+            _ => None,
+        };
+        if !claims[..index].iter().any(|earlier| alike(earlier).is_some()) {
+            let quantities: Vec<&str> = claims.iter().filter_map(alike).collect();
+            words.push(format!("exact {when}: {}", quantities.join(", ")));
+        }
+    }
+    words.join("; ")
 }
 
 fn scenes() -> Table {

@@ -8,7 +8,7 @@ use serde_json::json;
 
 use super::Failure;
 use super::select;
-use crate::model::{AnyModel, Snapshot, System};
+use crate::model::{Snapshot, System};
 use crate::record;
 use crate::scenes::Scene;
 use crate::simulate::{Form, Outcome, Plan};
@@ -19,7 +19,7 @@ use crate::simulate::{Form, Outcome, Plan};
 pub(super) struct Options {
     /// Built-in name or TOML file
     scene: String,
-    /// Scheme
+    /// Scheme, or substepped-N-S for the scheme S in N equal parts of every step
     #[arg(long, value_name = "S")]
     scheme: String,
     /// Time step [s]; must divide the duration
@@ -86,8 +86,9 @@ pub(super) fn run(options: &Options) -> Result<u8, Failure> {
         ModelChoice::Points => Form::Points,
         ModelChoice::Least => Form::Least,
     };
-    let model =
+    let given =
         form.model(&scene.system).map_err(|error| Failure::Model(format!("{}: {error}", scene.name)))?;
+    let model = if form == Form::Least { contestant.model(&scene.system) } else { given.name() };
     let mut written = Vec::new();
     let mut sink: Box<dyn Write> = match options.out {
         Some(_) => Box::new(&mut written),
@@ -101,7 +102,7 @@ pub(super) fn run(options: &Options) -> Result<u8, Failure> {
         count: 0,
         failed: None,
         format: options.format,
-        heading: heading(options.format, &scene.name, contestant.card.name, &model, &plan),
+        heading: heading(options.format, &scene.name, contestant.card.name, model, &plan),
     };
     let outcome = contestant.stream(&scene.system, form, &plan, &mut |snapshot| writer.push(snapshot));
     if let Some(reason) = outcome.refusal() {
@@ -170,14 +171,14 @@ struct StateWriter<'a> {
 const CSV_HEADER: &str =
     "step,t,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz,lx,ly,lz,kinetic_energy_j,potential_energy_j";
 
-fn heading(format: Format, scene: &str, scheme: &str, model: &AnyModel, plan: &Plan) -> String {
+fn heading(format: Format, scene: &str, scheme: &str, model: &str, plan: &Plan) -> String {
     match format {
         Format::Csv => format!("{CSV_HEADER}\n"),
         Format::Json => format!(
             "{{\n  \"schema\": \"polhode/run/1\",\n  \"scene\": {},\n  \"scheme\": {},\n  \"model\": {},\n  \"step_s\": {},\n  \"states\": [",
             json!(scene),
             json!(scheme),
-            json!(model.name()),
+            json!(model),
             json!(plan.step)
         ),
     }

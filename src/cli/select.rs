@@ -6,12 +6,14 @@ use super::Failure;
 use crate::adaptive;
 use crate::engine::{self, Engine};
 use crate::scenes::{self, Scene};
+use crate::schemes::Card;
 use crate::simulate::Contestant;
 
 /// Which schemes and scenes.
 #[derive(Args, Clone, Debug, Default)]
 pub(super) struct Selection {
-    /// Scheme to measure, or `all`; may be given several times [default: the main ones]
+    /// Scheme to measure, `all`, or substepped-N-S for S in N parts a step; may be given several times [default: the main
+    /// ones]
     #[arg(long = "scheme", value_name = "S")]
     schemes: Vec<String>,
     /// Scene to measure in: a built-in name or a TOML file; may be given several times [default: all built-in]
@@ -76,9 +78,22 @@ pub(super) fn meant<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Str
     }
 }
 
+/// Most parts of a step that a name may ask for.
+const MOST_PARTS: u32 = 64;
+
+/// What `substepped-N-S` means, for help and lists.
+pub(super) const SUBSTEPS: &str =
+    "substepped-N-S is any scheme S in N equal parts of every step, N from 2 to 64: substepped-4-peskin-rk2";
+
 /// The scheme of a name.
 pub(super) fn contestant(name: &str) -> Result<Contestant, Failure> {
     let all = everyone();
+    let listed = all.iter().any(|contestant| contestant.card.name == name);
+    if let Some((parts, base)) = Card::parts(name)
+        && !listed
+    {
+        return substepped(name, parts, base);
+    }
     let names: Vec<&str> = all.iter().map(|contestant| contestant.card.name).collect();
     let known = names.join(", ");
     if let Some(command) = name.strip_prefix(engine::PREFIX) {
@@ -86,6 +101,15 @@ pub(super) fn contestant(name: &str) -> Result<Contestant, Failure> {
     }
     match all.iter().find(|contestant| contestant.card.name == name) {
         Some(contestant) => Ok(contestant.clone()),
-        None => Err(Failure::Usage(format!("no scheme '{name}'; schemes: {known}"))),
+        None => Err(Failure::Usage(format!("no scheme '{name}'; schemes: {known}; {SUBSTEPS}"))),
     }
+}
+
+fn substepped(name: &str, parts: u32, base: &str) -> Result<Contestant, Failure> {
+    if !(2..=MOST_PARTS).contains(&parts) {
+        return Err(Failure::Usage(format!("'{name}': {parts} parts of a step, expected 2 to {MOST_PARTS}")));
+    }
+    let chosen_by_itself =
+        || Failure::Usage(format!("'{name}': {base} chooses its own steps, which have no parts"));
+    contestant(base)?.substepped(parts).ok_or_else(chosen_by_itself)
 }

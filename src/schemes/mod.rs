@@ -29,6 +29,15 @@ pub struct Card {
 }
 
 impl Card {
+    /// What the name of a scheme in equal parts of a step begins with; the number of parts and the scheme's own name follow.
+    pub const SUBSTEPPED: &'static str = "substepped-";
+
+    /// The number of parts of a step and the scheme's own name, of the name of a substepped scheme.
+    pub fn parts(name: &str) -> Option<(u32, &str)> {
+        let (parts, base) = name.strip_prefix(Card::SUBSTEPPED)?.split_once('-')?;
+        Some((parts.parse().ok()?, base))
+    }
+
     /// The claimed order of convergence; 0 where none is claimed.
     pub fn order(&self) -> u32 {
         self.claims.iter().find_map(|c| if let Claim::Order(p) = c { Some(*p) } else { None }).unwrap_or(0)

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use super::{InBodyAxes, OnAnyModel, OnPoints, Outcome, Plan, Trajectory, run};
+use super::{InBodyAxes, OnAnyModel, OnPoints, Outcome, Plan, Trajectory, run, substeps};
 use crate::model::body::Shape;
 use crate::model::{AnyModel, Broken, Snapshot, System, SystemError};
 use crate::schemes::{self, Card, PointScheme, Scheme, TurningScheme, Visitor};
@@ -36,7 +36,7 @@ const MOST_STEPS: u64 = 1 << 20;
 const MOST_FOREIGN_STEPS: u64 = 1 << 17;
 
 type Refusal = dyn Fn(&System) -> Option<String> + Send + Sync;
-type Run = dyn Fn(&System, Form, &Plan, &mut dyn FnMut(&Snapshot)) -> Outcome + Send + Sync;
+pub(super) type Run = dyn Fn(&System, Form, &Plan, &mut dyn FnMut(&Snapshot)) -> Outcome + Send + Sync;
 
 /// Something under test: a scheme of this or another crate, or a program of its own.
 #[derive(Clone)]
@@ -57,12 +57,20 @@ struct Limits {
     velocity_forces: bool,
     rods: bool,
     plates: bool,
+    /// A model without L in its state will do where L is constant.
+    keeps_momentum: bool,
 }
 
 impl Limits {
     /// Everything.
-    const NONE: Limits =
-        Limits { points: true, reduced: true, velocity_forces: true, rods: true, plates: true };
+    const NONE: Limits = Limits {
+        points: true,
+        reduced: true,
+        velocity_forces: true,
+        rods: true,
+        plates: true,
+        keeps_momentum: true,
+    };
 }
 
 impl Contestant {
@@ -82,6 +90,7 @@ impl Contestant {
             velocity_forces: S::TAKES_VELOCITY_FORCES,
             rods: S::TAKES_RODS,
             plates: S::TAKES_PLATES,
+            keeps_momentum: S::KEEPS_MOMENTUM,
             ..Limits::NONE
         };
         Contestant::within(limits, S::CARD, Arc::new(run_in_body_axes::<S>))
@@ -95,7 +104,12 @@ impl Contestant {
 
     /// Name of the model that stands for a scene in its least form.
     pub fn model(&self, system: &System) -> &'static str {
-        if self.limits.reduced { system.least().name() } else { "points" }
+        match system.least() {
+            _ if !self.limits.reduced => "points",
+            AnyModel::Free(_) if !self.limits.keeps_momentum => "torque",
+            AnyModel::Falling(_) if !self.limits.keeps_momentum => "forced",
+            least => least.name(),
+        }
     }
 
     /// A program that brings a model of its own. `run` steps a scene in a form by a plan and hands over the first
@@ -124,6 +138,28 @@ impl Contestant {
             most_steps,
             ..Contestant::within(limits, card, Arc::new(run))
         }
+    }
+
+    /// The scheme in `parts` equal parts of every step: what engines call substeps. `None` where it chooses its own
+    /// steps, or where a step is one part.
+    ///
+    /// A step costs `parts` times as much; an error of order p is parts⁻ᵖ of the scheme's own at the same h. Its
+    /// promises are the scheme's, with the counts of work multiplied.
+    pub fn substepped(&self, parts: u32) -> Option<Contestant> {
+        if parts < 2 || self.card.tolerance_exponent() > 0 {
+            return None;
+        }
+        let run = Arc::clone(&self.run);
+        let within = move |system: &System, form: Form, plan: &Plan, store: &mut dyn FnMut(&Snapshot)| {
+            substeps::run(&*run, system, form, plan, parts, store)
+        };
+        Some(Contestant {
+            card: substeps::card(&self.card, parts),
+            run: Arc::new(within),
+            limits: self.limits,
+            refusal: self.refusal.clone(),
+            most_steps: self.most_steps / u64::from(parts),
+        })
     }
 
     /// Why the scheme cannot take a scene, if it cannot.

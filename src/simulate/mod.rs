@@ -4,6 +4,7 @@
 //! t = n h, never accumulated.
 
 mod contestant;
+mod substeps;
 
 use std::cell::Cell;
 use std::marker::PhantomData;

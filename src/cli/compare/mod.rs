@@ -1,0 +1,140 @@
+//! `polhode compare`: two schemes, or two records files, side by side, scene by scene.
+
+mod cell;
+mod ladder;
+mod row;
+mod side;
+
+use std::path::Path;
+
+use clap::Args;
+use comfy_table::{ColumnConstraint, ContentArrangement, Table, TableComponent, presets};
+
+use self::cell::Cell;
+use self::row::{Row, Standing};
+use self::side::Side;
+use super::Failure;
+use super::gate::measure_with;
+use super::select::{self, Selection};
+use crate::gates::Baseline;
+use crate::record::Records;
+
+/// Options of `polhode compare`.
+#[derive(Args, Clone, Debug)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Options {
+    /// A scheme, or a records file
+    a: String,
+    /// Another scheme, or another records file
+    b: String,
+    /// Scene to compare in: a built-in name or a TOML file; may be given several times [default: all built-in]
+    #[arg(long = "scene", value_name = "X")]
+    scenes: Vec<String>,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  polhode compare peskin-rk2 peskin-heun
+  polhode compare peskin-rk2 rk4-quaternion --scene kovalevskaya
+  polhode compare peskin-rk2 substepped-4-peskin-rk2
+  polhode compare before.json after.json
+
+Of every quantity: order, error constant C = e/h^p, their ratio, and the ratio of the errors at equal work, as many force
+evaluations of either. Where no order is read on one side, the errors of the runs themselves at equal work. Of every drift: its
+kind, its order in h, and its rate. Of the cost: force evaluations and time of a step. A time decides nothing.
+
+Exit code: 0 the second is nowhere worse, 1 it is somewhere: an order lower by more than 0.15; at the same order an error
+larger by more than 5 % at equal work; a drift of a worse kind or order, or larger by more than 10 %; more evaluations a step
+without anything in the scene being better for it; in records files also what was measured before and is not any more.
+2 neither could be measured in any scene.";
+
+pub(super) fn compare(options: &Options, quiet: bool) -> Result<u8, Failure> {
+    let (a, b) = sides(options, quiet)?;
+    let cells = Cell::pairs(&a, &b, &options.scenes);
+    let rows: Vec<Row> = cells.iter().flat_map(Cell::rows).collect();
+    if rows.is_empty() {
+        return Err(Failure::Usage(format!("{} and {} have no scene and scheme in common", a.name, b.name)));
+    }
+    let count = |standing| rows.iter().filter(|row| row.standing == standing).count();
+    let compared = rows.iter().filter(|row| row.standing.compares()).count();
+    let (worse, better) = (count(Standing::Worse), count(Standing::Better));
+    let refused = count(Standing::NotApplicable);
+    super::run::print(&format!(
+        "{}\n\nA = {}, B = {}: {compared} quantities compared, {better} better, {worse} worse, {} undecided; \
+         not applicable in {refused} scene{}\n",
+        tables(&rows, a.scheme.is_none()),
+        a.name,
+        b.name,
+        count(Standing::Undecided),
+        if refused == 1 { "" } else { "s" },
+    ))?;
+    Ok(match (worse, compared) {
+        (0, 0) => 2,
+        (0, _) => 0,
+        _ => 1,
+    })
+}
+
+/// Two files, or two schemes measured in one campaign.
+fn sides(options: &Options, quiet: bool) -> Result<(Side, Side), Failure> {
+    let is_file = |name: &str| name.ends_with(".json") || Path::new(name).is_file();
+    let file = |name: &str| Records::read(Path::new(name)).map(|records| Side::file(name, records));
+    match (is_file(&options.a), is_file(&options.b)) {
+        (true, true) => Ok((file(&options.a)?, file(&options.b)?)),
+        (false, false) => {
+            let mut contestants = vec![select::contestant(&options.a)?];
+            if options.b != options.a {
+                contestants.push(select::contestant(&options.b)?);
+            }
+            let scenes = Selection::of_scenes(options.scenes.clone()).scenes()?;
+            let records = measure_with(scenes, contestants, Baseline::built_in(), false, quiet);
+            Ok((Side::scheme(&options.a, records.clone()), Side::scheme(&options.b, records)))
+        }
+        _ => Err(Failure::Usage("compare two schemes or two records files, not one of each".to_owned())),
+    }
+}
+
+/// One table for programs that read, with a row a line; a table a scene for people, who have 100 columns.
+fn tables(rows: &[Row], names_schemes: bool) -> String {
+    if !Table::new().is_tty() {
+        let place = |row: &Row| {
+            let scheme = if names_schemes { Some(row.scheme.clone()) } else { None };
+            [row.scene.clone()].into_iter().chain(scheme).collect()
+        };
+        let header: &[&str] = if names_schemes { &["scene", "scheme"] } else { &["scene"] };
+        let mut table = table(rows, header, place);
+        table.set_content_arrangement(ContentArrangement::Disabled);
+        return table.to_string();
+    }
+    let same_place = |a: &Row, b: &Row| (&a.scene, &a.scheme) == (&b.scene, &b.scheme);
+    let blocks = rows.chunk_by(same_place).map(|rows| {
+        let scheme = if names_schemes { format!(", {}", rows[0].scheme) } else { String::new() };
+        format!("{}{scheme}\n{}", rows[0].scene, table(rows, &[], |_| Vec::new()))
+    });
+    blocks.collect::<Vec<_>>().join("\n\n")
+}
+
+fn table(rows: &[Row], header: &[&str], place: impl Fn(&Row) -> Vec<String>) -> Table {
+    let mut table = Table::new();
+    table.load_preset(presets::UTF8_HORIZONTAL_ONLY).set_content_arrangement(ContentArrangement::Dynamic);
+    for between_rows in [
+        TableComponent::HorizontalLines,
+        TableComponent::MiddleIntersections,
+        TableComponent::LeftBorderIntersections,
+        TableComponent::RightBorderIntersections,
+    ] {
+        table.remove_style(between_rows);
+    }
+    let columns = ["quantity", "order A", "order B", "constant A", "constant B", "B/A", "same work", "B is"];
+    table.set_header([header, &columns].concat());
+    for row in rows {
+        table.add_row(place(row).into_iter().chain(row.words()));
+    }
+    for column in table.column_iter_mut() {
+        column.set_padding((0, 1));
+    }
+    if let Some(quantity) = table.column_mut(header.len()) {
+        quantity.set_constraint(ColumnConstraint::ContentWidth);
+    }
+    table
+}

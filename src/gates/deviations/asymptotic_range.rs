@@ -1,0 +1,81 @@
+//! Orders whose asymptotic range, above rounding, is too short or is not reached.
+
+use super::Deviation;
+
+const FEW_RUNGS: &str = "the slopes settle at the claimed order, but between the steps where they begin to and those where \
+     rounding takes over there are fewer rungs than a window needs";
+
+const TWO_TERMS: &str = "two terms of the error, the leading one and the next, stay of one size down to the steps where rounding \
+     takes over: the slope is still on its way to the claimed order, or its interval reaches out of the band";
+
+const COLD_START: &str = "the order of 2 comes from the first steps alone, whose history is made up; the formula's own error of \
+     order 3 or 4 covers that of the start down to the last steps above rounding";
+
+const MANY_TURNS: &str = "the splitting takes the body apart into turns about its axes, and about the axis of the thin body's small \
+     moment each turns it many times in a step: only the last step of the ladder is asymptotic";
+
+/// An order that cannot be read, in these scenes.
+const fn order(
+    reason: &'static str,
+    places: &'static [(&'static str, &'static [&'static str])],
+) -> Deviation {
+    Deviation { reason, claim: "order", quantities: &[], places }
+}
+
+pub(super) const KNOWN: &[Deviation] = &[
+    order(
+        FEW_RUNGS,
+        &[
+            ("exact-separatrix", &["kahan-li-8"]),
+            ("euler-top-unit", &["crouch-grossman-3"]),
+            ("free-asymmetric", &["kahan-li-8", "moser-veselov-10"]),
+            ("free-oblate", &["crouch-grossman-3", "kahan-li-8"]),
+            ("gravity-drag", &["gauss-legendre-6"]),
+            ("gravity-gradient", &["kahan-li-8"]),
+            ("lagrange-fast-top", &["kahan-li-8"]),
+            ("mujoco-fast-spin", &["crouch-grossman-3", "kahan-li-8", "moser-veselov-10", "peskin-rk3"]),
+            ("nasa-check-case-2", &["kahan-li-8", "moser-veselov-8", "moser-veselov-10"]),
+            ("sleeping-top", &["kahan-li-8"]),
+            ("spinning-coin", &["kahan-li-8"]),
+            ("thin-body", &["crouch-grossman-3", "kahan-li-8", "moser-veselov-10", "peskin-rk3"]),
+            ("time-dependent-field", &["kahan-li-8"]),
+        ],
+    ),
+    order(
+        TWO_TERMS,
+        &[
+            ("exact-separatrix", &["rkmk4"]),
+            ("heavy-asymmetric-top", &["rk4-matrix"]),
+            ("lagrange-fast-top", &["rkmk4"]),
+            ("mujoco-fast-spin", &["adams-bashforth-3"]),
+            ("satellite-gravity-gradient", &["adams-bashforth-4"]),
+            ("sleeping-top", &["adams-bashforth-3", "magnus-4", "rkmk4"]),
+            (
+                "thin-body",
+                &[
+                    "adams-bashforth-3",
+                    "adams-bashforth-4",
+                    "cf4",
+                    "magnus-4",
+                    "peskin-heun",
+                    "peskin-ralston",
+                    "rk4-quaternion",
+                    "rkmk4",
+                ],
+            ),
+        ],
+    ),
+    order(
+        COLD_START,
+        &[
+            ("exact-separatrix", &["adams-bashforth-3-cold"]),
+            ("lagrange-top-pivot-spring-undamped", &["adams-bashforth-3-cold"]),
+            ("mujoco-fast-spin", &["adams-bashforth-3-cold", "adams-bashforth-4-cold"]),
+            ("sciml-rigidbody-wpd", &["adams-bashforth-3-cold"]),
+            ("sleeping-top", &["adams-bashforth-3-cold", "adams-bashforth-4-cold"]),
+            ("spinning-coin", &["adams-bashforth-3-cold"]),
+            ("thin-body", &["adams-bashforth-3-cold", "adams-bashforth-4-cold"]),
+        ],
+    ),
+    order(MANY_TURNS, &[("thin-body", &["strang-rotations", "no-squish"])]),
+];

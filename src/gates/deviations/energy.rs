@@ -1,0 +1,34 @@
+//! Orders in h of the rate at which a free body's energy changes.
+
+use super::Deviation;
+
+const RATE: &[&str] = &["rotational-energy-rate"];
+
+const NEVER_STEADY: &str = "a first-order rule gains energy so fast that its rate changes within a hundred radians, or within \
+     sixteen polhode periods, at every step that the long runs can afford (four million steps)";
+
+const VANISHES: &str = "the h³ part of the rate nearly vanishes for this body, and the h⁴ part shows";
+
+pub(super) const KNOWN: &[Deviation] = &[
+    Deviation {
+        reason: NEVER_STEADY,
+        claim: "energy",
+        quantities: RATE,
+        places: &[
+            ("dzhanibekov", &["euler"]),
+            ("free-asymmetric", &["euler"]),
+            ("jsbsim-rotations", &["euler"]),
+            ("mujoco-fast-spin", &["euler"]),
+            ("mujoco-middle-axis", &["euler"]),
+            ("nasa-check-case-2", &["euler"]),
+            ("osrf-boxes-complex", &["euler"]),
+            ("thin-body", &["euler"]),
+        ],
+    },
+    Deviation {
+        reason: VANISHES,
+        claim: "energy",
+        quantities: RATE,
+        places: &[("osrf-boxes-complex", &["peskin-ralston"])],
+    },
+];

@@ -1,0 +1,30 @@
+//! Promises of exactness and of sameness that rounding alone breaks.
+
+use super::Deviation;
+
+pub(super) const KNOWN: &[Deviation] = &[
+    Deviation {
+        reason: "each step multiplies five rotations of many radians, and passing near the separatrix amplifies their \
+                 rounding to 1.2 times the bound",
+        claim: "exact",
+        quantities: &["orientation-end", "angular-velocity-end"],
+        places: &[("dzhanibekov", &["exact-rotor"])],
+    },
+    Deviation {
+        reason: "L is exact but for rounding, and the torques of the weight, which cancel in their sum to rounding, are \
+                 added to it in every step: in a million steps they pass the bound",
+        claim: "exact",
+        quantities: &[],
+        places: &[(
+            "nasa-check-case-2",
+            &["course-code-euler", "euler-linear", "rk2-linear", "substepped-4-euler"],
+        )],
+    },
+    Deviation {
+        reason: "a step takes L apart into moments and spins and puts it together again, a dozen roundings where the floor \
+                 counts one, and the long tumble amplifies them to 4 times the bound",
+        claim: "equivariant",
+        quantities: &[],
+        places: &[("osrf-boxes-complex", &["generalized-alpha"])],
+    },
+];
