@@ -26,6 +26,7 @@ pub mod scenes;
 pub mod simulate;
 pub mod ensemble;
 pub mod adaptive;
+pub mod peers;
 pub mod metrics;
 pub mod gates;
 pub mod campaign;

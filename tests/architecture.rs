@@ -20,6 +20,7 @@ const EDGES: &[(&str, &[&str])] = &[
     ("simulate", &["interrupt", "model", "rotation", "schemes"]),
     ("ensemble", &["interrupt", "model", "scenes", "schemes", "simulate"]),
     ("adaptive", &["claim", "interrupt", "model", "reference", "schemes", "simulate"]),
+    ("peers", &["interrupt", "model", "record", "reference", "rotation", "scenes", "simulate"]),
     ("metrics", &["claim", "model", "reference", "regression", "rotation", "simulate"]),
     ("gates", &["claim", "metrics", "model", "record", "reference", "regression", "rotation", "schemes"]),
     (
@@ -72,6 +73,7 @@ const EDGES: &[(&str, &[&str])] = &[
             "judge",
             "metrics",
             "model",
+            "peers",
             "record",
             "report",
             "scenes",

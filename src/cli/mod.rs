@@ -6,6 +6,7 @@ mod exit;
 mod gate;
 mod judge;
 mod list;
+mod peers;
 mod report;
 mod run;
 mod select;
@@ -116,7 +117,7 @@ fn dispatch(arguments: Arguments) -> Result<u8, Failure> {
         Command::Gate(options) => gate::gate(&options, everywhere.quiet),
         Command::Compare(options) => compare::compare(&options, everywhere.quiet),
         Command::Run(options) => run::run(&options),
-        Command::Engine(options) => engine::engine(&options),
+        Command::Engine(options) => engine::engine(&options, everywhere.quiet),
         Command::Judge(options) => judge::judge(&options),
         Command::SelfTest(options) => self_test::self_test(&options, everywhere.quiet),
         Command::List(options) => list::list(&options),

@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::Failure;
-use super::gate::{measure, measure_with, progress_bar};
+use super::gate::{measure_with, progress_bar};
+use super::peers;
 use super::select::{self, Selection};
 use crate::gates::{self, Baseline};
 use crate::record::Records;
@@ -48,7 +49,9 @@ const EVERY_SCHEME: [&str; 3] = ["free-asymmetric", "heavy-asymmetric-top", "tet
 /// The selection, or the main schemes on every scene and all of them on three. Beside the main ones all others stand apart.
 fn records(options: &Options, quiet: bool) -> Result<Records, Failure> {
     let selection = &options.selection;
-    let mut records = measure(selection, options.full, Baseline::built_in(), true, quiet)?;
+    let contestants = selection.contestants(options.full)?;
+    let mut records =
+        measure_with(selection.scenes()?, contestants.clone(), Baseline::built_in(), true, quiet);
     let main: Vec<&str> = schemes::MAIN.to_vec();
     if options.full {
         records.schemes.iter_mut().for_each(|row| row.apart = !main.contains(&row.name.as_str()));
@@ -59,6 +62,7 @@ fn records(options: &Options, quiet: bool) -> Result<Records, Failure> {
         more.schemes.iter_mut().for_each(|row| row.apart = true);
         records.take_in(more);
     }
+    peers::stand_beside(&mut records, &selection.scenes()?, &contestants, quiet);
     Ok(records)
 }
 

@@ -4,6 +4,7 @@
 //! t = n h, never accumulated.
 
 mod contestant;
+mod program;
 
 use std::cell::Cell;
 use std::marker::PhantomData;
@@ -17,6 +18,7 @@ use crate::rotation::Rotation;
 use crate::schemes::{PointScheme, Scheme, TurningScheme, Workspace};
 
 pub use contestant::{Contestant, Form};
+pub use program::Program;
 
 /// Steps between two checks that the state is finite.
 const CHECKED_EVERY: u64 = 1024;

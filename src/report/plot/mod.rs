@@ -5,6 +5,7 @@ mod convergence;
 mod convergence_panel;
 mod curves;
 mod drift;
+mod engines;
 mod font;
 mod invariants;
 mod labels;
@@ -37,6 +38,8 @@ pub(super) enum Subject {
     Invariants(String),
     /// Errors of every scheme on one scene against its work.
     WorkPrecision(String),
+    /// Errors of foreign programs and of schemes on one scene, against step and cost.
+    Engines(String),
 }
 
 impl Subject {
@@ -48,6 +51,7 @@ impl Subject {
             Subject::Convergence(scene) => format!("{}-convergence.png", survey::file_stem(scene)),
             Subject::Invariants(scene) => format!("{}-invariants.png", survey::file_stem(scene)),
             Subject::WorkPrecision(scene) => format!("{}-work-precision.png", survey::file_stem(scene)),
+            Subject::Engines(scene) => format!("engines-{}.png", survey::file_stem(scene)),
         }
     }
 }
@@ -79,7 +83,16 @@ pub(super) fn subjects(records: &Records) -> Vec<Subject> {
         subjects.push(Subject::Invariants(scene.into()));
         subjects.push(Subject::WorkPrecision(scene.into()));
     }
+    subjects.extend(engine_subjects(records));
     subjects
+}
+
+/// The pictures of foreign programs: none where there is no program.
+pub(super) fn engine_subjects(records: &Records) -> Vec<Subject> {
+    if records.engines.is_empty() {
+        return Vec::new();
+    }
+    survey::scenes(records).into_iter().map(|scene| Subject::Engines(scene.into())).collect()
 }
 
 /// The pictures that stand for all: the overview, the drift, and the first scene under forces that carries an
@@ -87,7 +100,11 @@ pub(super) fn subjects(records: &Records) -> Vec<Subject> {
 pub(super) fn key_subjects(records: &Records) -> Vec<Subject> {
     let typical = records.scenes.iter().find(|row| !row.laws.is_empty() && row.not_for_order.is_none());
     let typical = typical.map(|row| Subject::Convergence(row.name.clone()));
-    [Subject::Overview, Subject::DriftRates].into_iter().chain(typical).collect()
+    [Subject::Overview, Subject::DriftRates]
+        .into_iter()
+        .chain(typical)
+        .chain(engine_subjects(records))
+        .collect()
 }
 
 /// Lays a picture out; `None` where the records hold nothing to draw. `main` is the records without the schemes that stand apart.
@@ -107,6 +124,7 @@ pub(super) fn lay_out(
         Subject::Convergence(scene) => convergence::sketch(main, &palette, scene),
         Subject::Invariants(scene) => invariants::sketch(main, &palette, scene),
         Subject::WorkPrecision(scene) => work_precision::sketch(records, scene),
+        Subject::Engines(scene) => engines::sketch(records, scene),
     };
     Ok(sketch.map(|sketch| Picture { subject: subject.clone(), sketch }))
 }
