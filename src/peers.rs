@@ -22,8 +22,10 @@ const SAMPLES: u64 = 50;
 const COARSE_TURN: f64 = 0.02;
 /// Fine steps of a coarse one.
 const REFINEMENT: u64 = 10;
-/// An error of this part of a radian, or of the way that a body goes, is rounding: 10⁴ steps leave 1e-12, measured.
-const ROUNDING: f64 = 1e-10;
+/// A difference of this part of a radian, or of the way that a body goes, is rounding: 10⁴ steps leave 3e-13, measured …
+const ROUNDING: f64 = 1e-12;
+/// … and an error has to be so many times larger before it shows digits.
+const CLEAR: f64 = 100.0;
 /// Digits of their errors that twins share.
 pub const DIGITS: f64 = 3.0;
 
@@ -62,20 +64,18 @@ pub fn compare(
     let others = others.iter().filter(|other| !asked(other.card.name));
     let everyone: Vec<&Contestant> = contestants.iter().chain(others).collect();
     let mut peers = Peers::default();
-    let stages: Vec<Stage> = scenes.iter().flat_map(stages).collect();
-    for (index, stage) in stages.iter().enumerate() {
-        let takes = |contestant: &&&Contestant| contestant.refusal(&stage.scene.system).is_none();
-        let going = |_: &&&Contestant| !interrupt::requested();
-        let runs: Vec<Ran> =
-            everyone.par_iter().filter(takes).filter(going).map(|contestant| stage.run(contestant)).collect();
-        let runs: Vec<Ran> = runs.into_iter().filter(|ran| ran.outcome.refusal().is_none()).collect();
-        let twins = stage.twins(&runs);
-        let twinned = |name: &str| twins.iter().any(|twin| twin.one == name || twin.other == name);
+    for (index, scene) in scenes.iter().enumerate() {
+        let stages = stages(scene);
+        let runs: Vec<Vec<Ran>> = stages.iter().map(|stage| stage.run_all(&everyone)).collect();
+        let twins: Vec<Twin> = stages.iter().zip(&runs).flat_map(|(stage, runs)| stage.twins(runs)).collect();
         let told =
-            runs.iter().filter(|ran| asked(ran.contestant.card.name) || twinned(ran.contestant.card.name));
-        peers.rows.extend(told.map(|ran| stage.row(ran)));
+            |name: &str| asked(name) || twins.iter().any(|twin| twin.one == name || twin.other == name);
+        for (stage, runs) in stages.iter().zip(&runs) {
+            let told = runs.iter().filter(|ran| told(ran.contestant.card.name));
+            peers.rows.extend(told.map(|ran| stage.row(ran)));
+        }
         peers.twins.extend(twins);
-        progress(index + 1, stages.len());
+        progress(index + 1, scenes.len());
     }
     peers
 }
@@ -107,6 +107,17 @@ fn coarse_steps(scene: &Scene) -> Option<u64> {
 }
 
 impl Stage<'_> {
+    /// Everyone who takes the scene.
+    fn run_all<'a>(&self, everyone: &[&'a Contestant]) -> Vec<Ran<'a>> {
+        let system = &self.scene.system;
+        everyone
+            .par_iter()
+            .filter(|contestant| contestant.refusal(system).is_none() && !interrupt::requested())
+            .map(|contestant| self.run(contestant))
+            .filter(|ran| ran.outcome.refusal().is_none())
+            .collect()
+    }
+
     fn run<'a>(&self, contestant: &'a Contestant) -> Ran<'a> {
         let Trajectory { states, outcome } = contestant.run(&self.scene.system, Form::Least, &self.plan);
         let whole = outcome.broken.is_none() && states.len() == self.truth.len();
@@ -167,7 +178,8 @@ impl Stage<'_> {
             .map(|state| (state.position - self.truth[0].position).norm())
             .fold(0.0, f64::max);
         let sizes = [way.max(self.scene.system.body.extent()), 1.0];
-        let digits = (0..2).filter_map(|i| shared_digits(a[i].max(b[i]), apart[i], ROUNDING * sizes[i]));
+        let digits =
+            (0..2).filter_map(|i| shared_digits(a[i].max(b[i]), apart[i], CLEAR * ROUNDING * sizes[i]));
         Some(Twin {
             scene: self.scene.name.clone(),
             step_s: self.plan.step,
@@ -176,6 +188,7 @@ impl Stage<'_> {
             apart_rad: apart[1],
             error_rad: a[1].max(b[1]),
             digits: digits.reduce(f64::min)?,
+            to_rounding: (0..2).all(|i| apart[i] <= ROUNDING * sizes[i]),
         })
     }
 }

@@ -38,8 +38,8 @@ enum What {
     },
     /// Hold an engine against the protocol, line by line
     Check {
-        /// The command line that starts it, with or without 'engine:' before it
-        #[arg(value_name = "COMMAND LINE", required = true, num_args = 1.., trailing_var_arg = true)]
+        /// The command line that starts it, quoted, or after --; with or without 'engine:' before it
+        #[arg(value_name = "COMMAND LINE", required = true, num_args = 1..)]
         command: Vec<String>,
     },
     /// Compare engines with one another and with schemes: errors, costs, and which of them have one rule

@@ -52,6 +52,9 @@ struct Everywhere {
     /// Longest time that a foreign engine may take for an answer
     #[arg(long, global = true, value_name = "SECONDS", default_value_t = 60.0, value_parser = seconds)]
     engine_timeout: f64,
+    /// Most memory that a foreign engine may use
+    #[arg(long, global = true, value_name = "MIB", default_value_t = 4096, value_parser = clap::value_parser!(u64).range(1..))]
+    engine_memory: u64,
 }
 
 /// A time above zero.
@@ -95,6 +98,7 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     };
     match dispatch(arguments) {
         Ok(code) => code,
+        Err(_) if crate::interrupt::requested() => exit::INTERRUPTED,
         Err(failure) => {
             eprintln!("polhode: {failure}");
             failure.code()
@@ -111,6 +115,7 @@ fn dispatch(arguments: Arguments) -> Result<u8, Failure> {
             .map_err(|error| Failure::Usage(format!("--jobs {jobs}: {error}")))?;
     }
     crate::engine::set_patience(Duration::from_secs_f64(everywhere.engine_timeout));
+    crate::engine::set_most_memory(everywhere.engine_memory);
     exit::listen_to_interrupts()?;
     let code = match arguments.command.unwrap_or(Command::Report(report::Options::default())) {
         Command::Report(options) => report::report(&options, everywhere.quiet),

@@ -13,6 +13,7 @@ mod check;
 mod error;
 mod hello;
 mod laws;
+mod memory;
 mod precision;
 mod process;
 mod reply;
@@ -31,6 +32,7 @@ use crate::simulate::{Break, Contestant, Outcome, Plan, Program};
 pub use adapter::Language;
 pub use check::{Finding, check};
 pub use error::EngineError;
+pub use memory::set_most_memory;
 pub use process::end_all;
 
 use error::Fault;

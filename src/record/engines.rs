@@ -64,4 +64,6 @@ pub struct Twin {
     pub error_rad: f64,
     /// Digits of their errors that agree, in orientation and position: log₁₀ of error over difference.
     pub digits: f64,
+    /// True where they differ by no more than roundings add up to, in orientation and position.
+    pub to_rounding: bool,
 }

@@ -161,7 +161,7 @@ struct Page {
     version: String,
     made_at: String,
     machine: String,
-    folder: &'static str,
+    alone: bool,
     engines: Option<Section>,
 }
 
@@ -171,7 +171,7 @@ pub(super) fn page(records: &Records, figures: &[Figure]) -> Result<String, mini
         version: records.polhode.clone(),
         made_at: records.made_at.clone(),
         machine: machine_words(&records.machine),
-        folder: "",
+        alone: true,
         engines: Section::new(records, figures),
     };
     template::fill(&markdown::environment()?, PAGE, &page)

@@ -92,8 +92,8 @@ pub fn write_brief(
     write_page(&out.join("report.md"), markdown::render(&page))
 }
 
-/// Writes the section on foreign programs as a page of its own: `engines.md`, its pictures beside it, and an
-/// `engines.json` of what the section is made from.
+/// Writes the section on foreign programs as a page of its own: `engines.md`, its pictures beside it as SVG, a
+/// tenth of a PNG, and an `engines.json` of what the section is made from.
 ///
 /// # Errors
 /// A file cannot be written, or a picture or the page cannot be made.
@@ -102,10 +102,12 @@ pub fn write_engines(records: &Records, out: &Path) -> Result<(), ReportError> {
     write_whole(&out.join("engines.json"), kept.to_json().as_bytes())?;
     let mut figures = Vec::new();
     for subject in plot::engine_subjects(records) {
-        let path = out.join(subject.file_name());
+        let path = out.join(subject.file_stem() + ".svg");
         let fault = |plot::Fault(why)| ReportError::Picture { path: path.clone(), why };
         if let Some(picture) = plot::lay_out(records, records, &subject).map_err(fault)? {
-            figures.push(write_picture(&picture, &path)?);
+            let svg = picture.svg().map_err(fault)?;
+            write_whole(&path, plot::alone(&svg).as_bytes())?;
+            figures.push(Figure { subject, svg });
         }
     }
     write_page(&out.join("engines.md"), engines::page(records, &figures))

@@ -17,9 +17,6 @@ pub(super) struct Group {
     error: String,
 }
 
-/// Digits from which on two agree to rounding.
-const TO_ROUNDING: f64 = 9.0;
-
 /// The groups of a scene at a step, those of the largest error first.
 pub(super) fn groups(records: &Records, scene: &str, step: f64) -> Vec<Group> {
     let twins: Vec<&Twin> =
@@ -48,9 +45,9 @@ fn group(records: &Records, twins: &[&Twin], step: f64) -> Group {
     let digits = twins.iter().map(|twin| twin.digits).fold(f64::INFINITY, f64::min);
     Group {
         members: super::survey::distinct(names).into_iter().map(|name| label(records, name)).collect(),
-        digits: match digits {
-            _ if digits >= TO_ROUNDING => "to rounding".to_owned(),
-            _ => format!("to {}", number::counted(digits.floor() as usize, "digit")),
+        digits: match twins.iter().all(|twin| twin.to_rounding) {
+            true => "to rounding".to_owned(),
+            false => format!("to {}", number::counted(digits.floor() as usize, "digit")),
         },
         step: number::setting(step),
         apart: number::quantity(Some(largest(twins, |twin| twin.apart_rad)), None, "rad"),
@@ -72,6 +69,7 @@ mod tests {
             apart_rad: error / 10f64.powf(digits),
             error_rad: error,
             digits,
+            to_rounding: digits > 9.0,
         };
         let twins = vec![
             twin("a", "b", 4.5, 0.1),

@@ -22,6 +22,7 @@ const LETTERS: usize = 26;
 
 /// A ladder of one program or scheme.
 struct Line<'a> {
+    scheme: &'a str,
     words: String,
     look: Look,
     filled: bool,
@@ -48,9 +49,11 @@ pub(super) fn sketch(records: &Records, scene: &str) -> Option<Sketch> {
     let room = WIDTH - 2.0 * MARGIN - 20.0;
     let strip = legend::height(&entries, room);
     let all = Frame { left: MARGIN, top: TOP, right: WIDTH - MARGIN, bottom: HEIGHT - strip - 2.0 * MARGIN };
-    draw(&mut sketch, &lines, all.cell((2, 1), 0), "step h [s]", |point| point.0);
+    let merged = merged(records, scene, &lines);
+    draw(&mut sketch, &lines, &merged, all.cell((2, 1), 0), "step h [s]", |point| point.0);
     let words = "nanoseconds a simulated second (this machine)";
-    draw(&mut sketch, &lines, all.cell((2, 1), 1), words, |point| point.1);
+    let each: Vec<Option<String>> = lines.iter().map(|line| Some(line.words.clone())).collect();
+    draw(&mut sketch, &lines, &each, all.cell((2, 1), 1), words, |point| point.1);
     legend::draw(&mut sketch, &entries, MARGIN + 20.0, HEIGHT - strip - MARGIN, room);
     Some(sketch)
 }
@@ -74,7 +77,7 @@ fn lines<'a>(records: &'a Records, scene: &str, palette: &Palette) -> Vec<Line<'
     let metric = ranking::quantity(records, scene);
     let here = |row: &&Measurement| row.scene == scene && row.metric == metric && row.status == "ok";
     let rows: Vec<&Measurement> = records.measurements.iter().filter(here).collect();
-    let line = |scheme: &str| {
+    let line = |scheme: &'a str| {
         let engine = records.engines.iter().find(|row| row.scheme == scheme);
         let words = match engine {
             Some(row) if row.integrator.is_empty() => row.name.clone(),
@@ -85,6 +88,7 @@ fn lines<'a>(records: &'a Records, scene: &str, palette: &Palette) -> Vec<Line<'
             rows.iter().filter(|row| row.scheme == scheme).filter_map(|row| point(row)).collect();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
         Line {
+            scheme,
             words: panel_words(&words),
             look: engine.map_or(OURS, |row| palette.look(&row.name)),
             filled: !engine.is_some_and(|row| row.single_precision),
@@ -94,6 +98,31 @@ fn lines<'a>(records: &'a Records, scene: &str, palette: &Palette) -> Vec<Line<'
         }
     };
     survey::schemes(records).into_iter().map(line).filter(|line| !line.points.is_empty()).collect()
+}
+
+/// What stands at the end of each line where twins lie over one another: the first is named for all.
+fn merged(records: &Records, scene: &str, lines: &[Line]) -> Vec<Option<String>> {
+    let here = || records.twins.iter().filter(|twin| twin.scene == scene);
+    let coarsest = here().map(|twin| twin.step_s).fold(0.0, f64::max);
+    let twins = |a: &Line, b: &Line| {
+        here().any(|twin| {
+            let pair = [twin.one.as_str(), twin.other.as_str()];
+            twin.step_s == coarsest && pair.contains(&a.scheme) && pair.contains(&b.scheme)
+        })
+    };
+    let first =
+        |line: &Line| lines.iter().position(|other| other.scheme == line.scheme || twins(line, other));
+    let firsts: Vec<Option<usize>> = lines.iter().map(first).collect();
+    let name = |(index, line): (usize, &Line)| {
+        let others = firsts.iter().filter(|first| **first == Some(index)).count();
+        match others {
+            0 => None,
+            1 => Some(line.words.clone()),
+            2 => Some(format!("{} and its twin", line.words)),
+            _ => Some(format!("{} and {} twins", line.words, others - 1)),
+        }
+    };
+    lines.iter().enumerate().map(name).collect()
 }
 
 fn panel_words(words: &str) -> String {
@@ -109,8 +138,15 @@ fn point(row: &Measurement) -> Option<(f64, f64, f64)> {
     Some((row.step_s.log10(), cost.log10(), error.log10()))
 }
 
-fn draw(sketch: &mut Sketch, lines: &[Line], cell: Frame, words: &str, across: fn(&(f64, f64, f64)) -> f64) {
-    let column = labels::column_width(lines.iter().map(|line| line.words.as_str()));
+fn draw(
+    sketch: &mut Sketch,
+    lines: &[Line],
+    named: &[Option<String>],
+    cell: Frame,
+    words: &str,
+    across: fn(&(f64, f64, f64)) -> f64,
+) {
+    let column = labels::column_width(named.iter().flatten().map(String::as_str));
     let frame = cell.inside(128.0, 40.0, column, 110.0);
     let points = || lines.iter().flat_map(|line| &line.points);
     let (left, right) = bounds(&points().map(across).collect::<Vec<_>>());
@@ -134,9 +170,10 @@ fn draw(sketch: &mut Sketch, lines: &[Line], cell: Frame, words: &str, across: f
     panel.draw_frame(sketch);
     panel.label_x(sketch, words);
     panel.label_y(sketch);
-    let ends = lines.iter().filter_map(|line| {
+    let ends = lines.iter().zip(named).filter_map(|(line, words)| {
+        let words = words.clone()?;
         let last = line.points.iter().max_by(|a, b| across(a).total_cmp(&across(b)))?;
-        Some(Label { words: line.words.clone(), end: panel.place(across(last), last.2), look: line.look })
+        Some(Label { words, end: panel.place(across(last), last.2), look: line.look })
     });
     labels::draw(sketch, frame, ends.collect());
 }

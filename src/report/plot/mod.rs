@@ -22,7 +22,7 @@ use crate::record::Records;
 
 use super::survey;
 use palette::Palette;
-pub(super) use render::Fault;
+pub(super) use render::{Fault, alone};
 use sketch::Sketch;
 
 /// What a picture shows.
@@ -45,13 +45,18 @@ pub(super) enum Subject {
 impl Subject {
     /// File name inside the folder of plots.
     pub(super) fn file_name(&self) -> String {
+        self.file_stem() + ".png"
+    }
+
+    /// File name without its ending.
+    pub(super) fn file_stem(&self) -> String {
         match self {
-            Subject::Overview => "overview.png".into(),
-            Subject::DriftRates => "drift-rates.png".into(),
-            Subject::Convergence(scene) => format!("{}-convergence.png", survey::file_stem(scene)),
-            Subject::Invariants(scene) => format!("{}-invariants.png", survey::file_stem(scene)),
-            Subject::WorkPrecision(scene) => format!("{}-work-precision.png", survey::file_stem(scene)),
-            Subject::Engines(scene) => format!("engines-{}.png", survey::file_stem(scene)),
+            Subject::Overview => "overview".into(),
+            Subject::DriftRates => "drift-rates".into(),
+            Subject::Convergence(scene) => format!("{}-convergence", survey::file_stem(scene)),
+            Subject::Invariants(scene) => format!("{}-invariants", survey::file_stem(scene)),
+            Subject::WorkPrecision(scene) => format!("{}-work-precision", survey::file_stem(scene)),
+            Subject::Engines(scene) => format!("engines-{}", survey::file_stem(scene)),
         }
     }
 }

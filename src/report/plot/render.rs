@@ -88,6 +88,11 @@ pub(super) fn svg(sketch: &Sketch) -> Result<String, Fault> {
     Ok(text.replace(" opacity=\"1\"", "").replace(" font-family=\"sans-serif\"", "").replace(">\n", ">"))
 }
 
+/// An SVG element as a file of its own, which no page gives a typeface.
+pub(in crate::report) fn alone(svg: &str) -> String {
+    svg.replacen("<svg ", "<svg font-family=\"DejaVu Sans, Verdana, Arial, sans-serif\" ", 1)
+}
+
 fn paint<B: DrawingBackend>(sketch: &Sketch, area: DrawingArea<B, Shift>, pen: &Pen) -> Result<(), Fault> {
     area.fill(&WHITE).map_err(fault)?;
     for shape in &sketch.shapes {
