@@ -28,6 +28,7 @@ pub mod ensemble;
 pub mod sweep;
 pub mod adaptive;
 pub mod cost;
+pub mod peers;
 pub mod metrics;
 pub mod advice;
 pub mod stability;

@@ -5,12 +5,15 @@
 //! (`null` on disk), never a NaN.
 
 pub mod stability;
+mod engines;
 
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
+
+pub use engines::{EngineRow, PeerRow, Twin};
 
 /// The schema that [`Records`] follows.
 pub const SCHEMA: &str = "polhode/records/1";
@@ -53,6 +56,15 @@ pub struct Records {
     /// Quantities against time, for drawing.
     #[serde(default)]
     pub series: Vec<Series>,
+    /// Foreign programs among the schemes.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub engines: Vec<EngineRow>,
+    /// Foreign programs and schemes at equal steps.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub peers: Vec<PeerRow>,
+    /// Pairs that move a body alike.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub twins: Vec<Twin>,
 }
 
 /// The machine that the costs belong to.
@@ -388,6 +400,9 @@ impl Records {
         self.series.extend(other.series);
         self.costs.extend(other.costs);
         self.scaling.extend(other.scaling);
+        self.engines.extend(other.engines);
+        self.peers.extend(other.peers);
+        self.twins.extend(other.twins);
         let judged = self.verdicts.clone();
         self.verdicts.extend(other.verdicts.into_iter().filter(|verdict| !judged.contains(verdict)));
     }

@@ -22,6 +22,7 @@ const EDGES: &[(&str, &[&str])] = &[
     ("sweep", &["ensemble", "interrupt", "model", "reference", "scenes", "simulate"]),
     ("adaptive", &["claim", "interrupt", "model", "reference", "schemes", "simulate"]),
     ("cost", &["interrupt", "model", "scenes", "schemes", "simulate"]),
+    ("peers", &["interrupt", "model", "record", "reference", "rotation", "scenes", "simulate"]),
     ("metrics", &["claim", "model", "reference", "regression", "rotation", "simulate"]),
     (
         "advice",
@@ -110,6 +111,7 @@ const EDGES: &[(&str, &[&str])] = &[
             "judge",
             "metrics",
             "model",
+            "peers",
             "record",
             "report",
             "scenes",

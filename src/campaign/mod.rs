@@ -86,6 +86,7 @@ impl Campaign<'_> {
             made_at: now(),
             complete: !interrupt::requested(),
             schemes: self.contestants.iter().map(|contestant| rows::scheme(&contestant.card)).collect(),
+            engines: self.contestants.iter().filter_map(rows::engine).collect(),
             ..Records::default()
         };
         let mut cells = measured.into_iter();

@@ -4,13 +4,13 @@ use crate::claim::Claim;
 use crate::metrics::{self, EnergyDrift, Evidence, Place, QuantityLadder, Rung};
 use crate::model::{Quantity, Snapshot, System};
 use crate::record::stability::Stability;
-use crate::record::{Drift, Measurement, Order, ReferenceRow, SceneRow, SchemeRow, Series};
+use crate::record::{Drift, EngineRow, Measurement, Order, ReferenceRow, SceneRow, SchemeRow, Series};
 use crate::reference::Reference;
 use crate::regression::Ladder;
 use crate::rotation;
 use crate::scenes::Scene;
 use crate::schemes::Card;
-use crate::simulate::Outcome;
+use crate::simulate::{Contestant, Outcome, Program};
 
 /// Whose rows they are.
 pub(super) struct Names<'a> {
@@ -31,6 +31,12 @@ pub(super) fn scheme(card: &Card) -> SchemeRow {
         apart: false,
         fails_where: Stability::built_in().line(card.name).map(str::to_owned),
     }
+}
+
+/// Who a foreign program is; `None` for a scheme of the list.
+pub(super) fn engine(contestant: &Contestant) -> Option<EngineRow> {
+    let Program { name, version, integrator, single_precision } = contestant.program()?;
+    Some(EngineRow { scheme: contestant.card.name.to_owned(), name, version, integrator, single_precision })
 }
 
 pub(super) fn scene(

@@ -1,10 +1,10 @@
-//! `polhode engine`: write a minimal engine, and hold one against the protocol.
+//! `polhode engine`: write a minimal engine, hold one against the protocol, and compare some with one another.
 
 use std::path::PathBuf;
 
 use clap::{Args, Subcommand, ValueEnum};
 
-use super::Failure;
+use super::{Failure, peers};
 use crate::engine::{self, Language};
 use crate::record;
 
@@ -21,6 +21,7 @@ Examples:
   polhode engine new --language python --out engine.py
   polhode engine check 'python3 engine.py'
   polhode gate --scheme 'engine:python3 engine.py' --scene free-asymmetric
+  polhode engine compare --scheme 'engine:python3 engine.py' --scheme peskin-rk2 --scene free-asymmetric
 
 Exit code of a check: 0 the engine keeps to the protocol, 1 it does not, 69 it cannot be run.";
 
@@ -37,10 +38,12 @@ enum What {
     },
     /// Hold an engine against the protocol, line by line
     Check {
-        /// The command line that starts it, with or without 'engine:' before it
-        #[arg(value_name = "COMMAND LINE", required = true, num_args = 1.., trailing_var_arg = true)]
+        /// The command line that starts it, quoted, or after --; with or without 'engine:' before it
+        #[arg(value_name = "COMMAND LINE", required = true, num_args = 1..)]
         command: Vec<String>,
     },
+    /// Compare engines with one another and with schemes: errors, costs, and which of them have one rule
+    Compare(peers::Options),
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -52,7 +55,7 @@ enum Choice {
     Julia,
 }
 
-pub(super) fn engine(options: &Options) -> Result<u8, Failure> {
+pub(super) fn engine(options: &Options, quiet: bool) -> Result<u8, Failure> {
     match &options.what {
         What::New { language, out } => {
             let text = language.language().template();
@@ -63,6 +66,7 @@ pub(super) fn engine(options: &Options) -> Result<u8, Failure> {
             Ok(0)
         }
         What::Check { command } => check(&line(command)),
+        What::Compare(options) => peers::compare(options, quiet),
     }
 }
 

@@ -7,6 +7,7 @@ mod exit;
 mod gate;
 mod judge;
 mod list;
+mod peers;
 mod report;
 mod run;
 mod select;
@@ -55,6 +56,9 @@ struct Everywhere {
     /// Longest time that a foreign engine may take for an answer
     #[arg(long, global = true, value_name = "SECONDS", default_value_t = 60.0, value_parser = seconds)]
     engine_timeout: f64,
+    /// Most memory that a foreign engine may use
+    #[arg(long, global = true, value_name = "MIB", default_value_t = 4096, value_parser = clap::value_parser!(u64).range(1..))]
+    engine_memory: u64,
 }
 
 /// A time above zero.
@@ -104,6 +108,7 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     };
     match dispatch(arguments) {
         Ok(code) => code,
+        Err(_) if crate::interrupt::requested() => exit::INTERRUPTED,
         Err(failure) => {
             eprintln!("polhode: {failure}");
             failure.code()
@@ -120,6 +125,7 @@ fn dispatch(arguments: Arguments) -> Result<u8, Failure> {
             .map_err(|error| Failure::Usage(format!("--jobs {jobs}: {error}")))?;
     }
     crate::engine::set_patience(Duration::from_secs_f64(everywhere.engine_timeout));
+    crate::engine::set_most_memory(everywhere.engine_memory);
     exit::listen_to_interrupts()?;
     let code = match arguments.command.unwrap_or(Command::Report(report::Options::default())) {
         Command::Report(options) => report::report(&options, everywhere.quiet),
@@ -128,7 +134,7 @@ fn dispatch(arguments: Arguments) -> Result<u8, Failure> {
         Command::Run(options) => run::run(&options),
         Command::Advise(options) => advise::advise(&options),
         Command::Sweep(options) => sweep::sweep(&options, everywhere.quiet),
-        Command::Engine(options) => engine::engine(&options),
+        Command::Engine(options) => engine::engine(&options, everywhere.quiet),
         Command::Stability(options) => stability::stability(&options, everywhere.quiet),
         Command::Judge(options) => judge::judge(&options),
         Command::SelfTest(options) => self_test::self_test(&options, everywhere.quiet),

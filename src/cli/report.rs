@@ -6,6 +6,7 @@ use clap::Args;
 
 use super::Failure;
 use super::gate::{measure_with, progress_bar};
+use super::peers;
 use super::select::{self, Selection};
 use crate::campaign;
 use crate::gates::{self, Baseline};
@@ -71,6 +72,7 @@ fn records(options: &Options, quiet: bool) -> Result<Records, Failure> {
         more.schemes.iter_mut().for_each(|row| row.apart = true);
         records.take_in(more);
     }
+    peers::stand_beside(&mut records, &scenes, &contestants, quiet);
     // Alone, after all else: nothing may run beside a clock. The schemes that stand apart are timed in a full report only.
     talk(quiet, "timing steps, one thread");
     campaign::add_costs(&mut records, &scenes, &contestants, SECONDS_A_COST);

@@ -101,6 +101,9 @@ pub(super) fn contestant(name: &str) -> Result<Contestant, Failure> {
     }
     match all.iter().find(|contestant| contestant.card.name == name) {
         Some(contestant) => Ok(contestant.clone()),
+        None if name.contains([' ', '/']) || name == "engine" => Err(Failure::Usage(format!(
+            "no scheme '{name}'; a program of your own is --scheme 'engine:python3 my_engine.py'"
+        ))),
         None => Err(Failure::Usage(format!("no scheme '{name}'; schemes: {known}; {SUBSTEPS}"))),
     }
 }

@@ -40,7 +40,9 @@ pub(super) enum Fault {
     #[error("the answer is longer than {0} bytes, which no answer to this question is")]
     TooLong(usize),
     /// More memory than is allowed.
-    #[error("the engine uses {used} MiB of memory, more than the {most} MiB that it may")]
+    #[error(
+        "the engine uses {used} MiB of memory, more than the {most} MiB that it may; --engine-memory sets another limit"
+    )]
     Memory { used: u64, most: u64 },
     /// Against the protocol.
     #[error("{0}")]

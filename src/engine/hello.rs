@@ -6,6 +6,7 @@ use super::error::Fault;
 use super::reply;
 use crate::model::System;
 use crate::model::forces::Law;
+use crate::simulate::Program;
 
 /// Longest hello [bytes].
 pub(super) const MOST_BYTES: usize = 1 << 20;
@@ -29,18 +30,33 @@ pub(super) struct Hello {
     /// Laws that it takes; where it has no list, it is asked and may refuse.
     #[serde(default)]
     pub forces: Option<Vec<String>>,
+    /// `single` or `double`; what it says is believed, what it does not say is seen.
+    #[serde(default)]
+    precision: Option<String>,
 }
 
 impl Hello {
     /// Name, version and scheme in one line.
     pub fn title(&self) -> String {
+        let Program { name, version, integrator, .. } = self.program();
+        let after = |mark: &str, text: String| if text.is_empty() { text } else { format!("{mark}{text}") };
+        format!("{name}{}{}", after(" ", version), after(", ", integrator))
+    }
+
+    /// Who it is.
+    pub fn program(&self) -> Program {
         let version = match &self.version {
             serde_json::Value::Null => String::new(),
-            serde_json::Value::String(text) => format!(" {text}"),
-            other => format!(" {other}"),
+            serde_json::Value::String(text) => text.clone(),
+            other => other.to_string(),
         };
-        let scheme = self.scheme.as_ref().map_or(String::new(), |scheme| format!(", {scheme}"));
-        format!("{}{version}{scheme}", self.name)
+        let integrator = self.scheme.clone().unwrap_or_default();
+        Program { name: self.name.clone(), version, integrator, single_precision: self.single_precision() }
+    }
+
+    /// Whether it says that it computes in single precision.
+    pub fn single_precision(&self) -> bool {
+        self.precision.as_deref() == Some("single")
     }
 }
 
@@ -57,7 +73,12 @@ pub(super) fn read(line: &[u8]) -> Result<Hello, Fault> {
         let order = hello.order.unwrap_or_default();
         return against(format!("\"order\" is {order}: write a whole number from 1 on, or leave it out"));
     }
-    Ok(hello)
+    match hello.precision.as_deref() {
+        None | Some("single" | "double") => Ok(hello),
+        Some(other) => {
+            against(format!("\"precision\" is '{other}': write single or double, or leave it out"))
+        }
+    }
 }
 
 /// Why an engine with this list of laws cannot take a scene.

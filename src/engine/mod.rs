@@ -13,27 +13,31 @@ mod check;
 mod error;
 mod hello;
 mod laws;
+mod memory;
+mod precision;
 mod process;
 mod reply;
 mod request;
 mod specimen;
 
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use crate::claim::Claim;
 use crate::model::{Broken, Snapshot, System};
 use crate::schemes::Card;
-use crate::simulate::{Break, Contestant, Outcome, Plan};
+use crate::simulate::{Break, Contestant, Outcome, Plan, Program};
 
 pub use adapter::Language;
 pub use check::{Finding, check};
 pub use error::EngineError;
+pub use memory::set_most_memory;
 pub use process::end_all;
 
 use error::Fault;
 use hello::Hello;
+use precision::Precision;
 use process::Process;
 use reply::Answer;
 
@@ -63,6 +67,7 @@ pub struct Engine {
     idle: Mutex<Vec<Process>>,
     faults: Mutex<Vec<String>>,
     asked: AtomicU64,
+    precision: Mutex<Precision>,
 }
 
 impl Engine {
@@ -80,6 +85,7 @@ impl Engine {
             idle: Mutex::new(vec![process]),
             faults: Mutex::default(),
             asked: AtomicU64::new(0),
+            precision: Mutex::default(),
         })
     }
 
@@ -88,16 +94,26 @@ impl Engine {
         let card = card(name, &self.hello);
         let takes = self.hello.forces.clone();
         let refusal = move |system: &System| hello::refusal(takes.as_deref(), system);
+        let engine = Arc::new(self);
+        let same = engine.clone();
         let run = move |system: &System, plan: &Plan, store: &mut dyn FnMut(&Snapshot)| {
-            self.run(system, plan, store)
+            engine.run(system, plan, store)
         };
-        Contestant::engine(card, refusal, run)
+        Contestant::engine(card, refusal, run).by(move || same.program())
+    }
+
+    fn program(&self) -> Program {
+        Program {
+            single_precision: self.hello.single_precision() || lock(&self.precision).is_single(),
+            ..self.hello.program()
+        }
     }
 
     fn run(&self, system: &System, plan: &Plan, store: &mut dyn FnMut(&Snapshot)) -> Outcome {
         let asked = Instant::now();
         match self.ask(system, plan) {
             Ok(Answer::States(states)) => {
+                lock(&self.precision).add(&states.precision);
                 states.states.iter().for_each(store);
                 Outcome {
                     steps: plan.steps,

@@ -5,6 +5,7 @@
 //! has started itself ends with it.
 
 use std::io::{BufRead, BufReader, Read, Write};
+use std::path::Path;
 use std::process::{Child, ChildStderr, ChildStdin, ChildStdout, Command, Stdio};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
@@ -14,7 +15,7 @@ use std::time::{Duration, Instant};
 use serde_json::Value;
 
 use super::error::Fault;
-use super::lock;
+use super::{lock, memory};
 use crate::interrupt;
 
 /// Time between two looks at the clock, the user and the memory.
@@ -25,9 +26,6 @@ const FAREWELL: Duration = Duration::from_millis(500);
 const LINES: usize = 4;
 /// Bytes that are kept of the end of the log.
 const LOG_BYTES: usize = 4096;
-/// Resident memory that a child may use [MiB]; watched where the system tells it in a file.
-const MOST_MEMORY: u64 = 4096;
-
 /// Process groups of the children that run.
 static RUNNING: Mutex<Vec<u32>> = Mutex::new(Vec::new());
 
@@ -60,9 +58,10 @@ impl Process {
         #[cfg(unix)]
         std::os::unix::process::CommandExt::process_group(&mut command, 0);
         let mut running = lock(&RUNNING);
-        let mut child = command
-            .spawn()
-            .map_err(|error| Fault::NotStarted { program: words[0].clone(), why: error.to_string() })?;
+        let mut child = command.spawn().map_err(|error| Fault::NotStarted {
+            program: words[0].clone(),
+            why: why_not(&words[0], &error),
+        })?;
         running.push(child.id());
         drop(running);
         let (requests, to_write) = mpsc::channel();
@@ -116,11 +115,7 @@ impl Process {
             if asked.elapsed() >= patience {
                 return Err(Fault::Late(patience));
             }
-            if let Some(used) = resident_memory(self.child.id())
-                && used > MOST_MEMORY
-            {
-                return Err(Fault::Memory { used, most: MOST_MEMORY });
-            }
+            memory::watch(self.child.id())?;
         }
     }
 
@@ -195,6 +190,19 @@ impl Drop for Process {
     }
 }
 
+/// What the system says, and what a command line of that kind wants instead.
+fn why_not(program: &str, error: &std::io::Error) -> String {
+    let path = Path::new(program);
+    match path.extension().and_then(|ending| ending.to_str()) {
+        _ if path.is_dir() => "it is a folder, and a command line begins with a program".to_owned(),
+        Some("py" | "js" | "jl") if path.exists() => {
+            format!("{error}: write its interpreter before it, as in 'python3 {program}'")
+        }
+        _ if path.exists() && !program.contains('/') => format!("{error}: write ./{program}"),
+        _ => error.to_string(),
+    }
+}
+
 #[cfg(unix)]
 fn kill_group(leader: u32) {
     if let Some(group) = i32::try_from(leader).ok().and_then(rustix::process::Pid::from_raw) {
@@ -205,13 +213,6 @@ fn kill_group(leader: u32) {
 
 #[cfg(not(unix))]
 fn kill_group(_leader: u32) {}
-
-/// Resident memory of a process [MiB].
-fn resident_memory(process: u32) -> Option<u64> {
-    let status = std::fs::read_to_string(format!("/proc/{process}/status")).ok()?;
-    let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
-    line.trim().strip_suffix("kB")?.trim().parse::<u64>().ok().map(|kibibytes| kibibytes / 1024)
-}
 
 fn write_lines(mut input: ChildStdin, lines: &Receiver<Vec<u8>>) {
     for line in lines {

@@ -5,6 +5,7 @@ use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
 use super::error::Fault;
+use super::precision::Precision;
 use crate::model::{Snapshot, System};
 use crate::rotation::{self, Rotation};
 use crate::simulate::Plan;
@@ -44,6 +45,8 @@ pub(super) struct States {
     pub nanoseconds: Option<u64>,
     /// Evaluations of the forces; 0 where it does not say.
     pub evaluations: u64,
+    /// What precision its numbers have.
+    pub precision: Precision,
 }
 
 #[derive(Deserialize)]
@@ -64,6 +67,15 @@ struct State {
     orientation: Vec<f64>,
     velocity: Vec<f64>,
     angular_velocity: Vec<f64>,
+}
+
+impl State {
+    fn numbers(&self) -> impl Iterator<Item = f64> {
+        [&self.position, &self.orientation, &self.velocity, &self.angular_velocity]
+            .into_iter()
+            .flatten()
+            .copied()
+    }
 }
 
 /// Longest answer to a run [bytes].
@@ -99,6 +111,7 @@ pub(super) fn read(line: &[u8], id: u64, system: &System, plan: &Plan) -> Result
     }
     match (reply.states, reply.refused, reply.failed) {
         (Some(states), None, None) => Ok(Answer::States(States {
+            precision: states.iter().flat_map(State::numbers).collect(),
             states: snapshots(&states, system, plan)?,
             nanoseconds: count(reply.elapsed_ns, "elapsed_ns")?,
             evaluations: count(reply.evaluations, "evaluations")?.unwrap_or(0),

@@ -6,8 +6,11 @@ use super::page::Page;
 use super::template;
 
 const TEMPLATE: &str = include_str!("template/index.html");
+const ENGINES: &str = include_str!("template/engines.html");
 
 /// The page as HTML.
 pub(super) fn render(page: &Page) -> Result<String, minijinja::Error> {
-    template::fill(&template::environment(AutoEscape::Html)?, TEMPLATE, page)
+    let mut environment = template::environment(AutoEscape::Html)?;
+    environment.add_template("engines.html", ENGINES)?;
+    template::fill(&environment, TEMPLATE, page)
 }

@@ -1,17 +1,24 @@
 //! The report as Markdown, with the pictures beside it.
 
-use minijinja::AutoEscape;
+use minijinja::{AutoEscape, Environment};
 
 use super::page::Page;
 use super::template;
 
 const TEMPLATE: &str = include_str!("template/report.md");
+const ENGINES: &str = include_str!("template/engines.md");
 
 /// The page as Markdown.
 pub(super) fn render(page: &Page) -> Result<String, minijinja::Error> {
+    template::fill(&environment()?, TEMPLATE, page)
+}
+
+/// Of every page in Markdown: the filter for cells, and the section on engines.
+pub(super) fn environment() -> Result<Environment<'static>, minijinja::Error> {
     let mut environment = template::environment(AutoEscape::None)?;
     environment.add_filter("cell", |text: String| cell(&text));
-    template::fill(&environment, TEMPLATE, page)
+    environment.add_template("engines.md", ENGINES)?;
+    Ok(environment)
 }
 
 /// A text that cannot leave its cell of a table nor start a tag.

@@ -3,6 +3,7 @@
 //! This module reads [`Records`] only. It never runs a scheme: a picture cannot redo a calculation, and a report
 //! can be made again from a `records.json` alone.
 
+mod engines;
 mod github;
 mod html;
 mod junit;
@@ -103,6 +104,27 @@ pub fn write_brief(
     let figures = write_pictures(records, &plot::key_subjects(records), &out.join("plots"), progress)?;
     let page = page::compose(records, &records.without_apart(), &figures);
     write_page(&out.join("report.md"), markdown::render(&page))
+}
+
+/// Writes the section on foreign programs as a page of its own: `engines.md`, its pictures beside it as SVG, a
+/// tenth of a PNG, and an `engines.json` of what the section is made from.
+///
+/// # Errors
+/// A file cannot be written, or a picture or the page cannot be made.
+pub fn write_engines(records: &Records, out: &Path) -> Result<(), ReportError> {
+    let kept = engines::kept(records);
+    write_whole(&out.join("engines.json"), kept.to_json().as_bytes())?;
+    let mut figures = Vec::new();
+    for subject in plot::engine_subjects(records) {
+        let path = out.join(subject.file_stem() + ".svg");
+        let fault = |plot::Fault(why)| ReportError::Picture { path: path.clone(), why };
+        if let Some(picture) = plot::lay_out(records, records, &subject).map_err(fault)? {
+            let svg = picture.svg().map_err(fault)?;
+            write_whole(&path, plot::alone(&svg).as_bytes())?;
+            figures.push(Figure { subject, svg });
+        }
+    }
+    write_page(&out.join("engines.md"), engines::page(records, &figures))
 }
 
 fn write_page(path: &Path, text: Result<String, minijinja::Error>) -> Result<(), ReportError> {

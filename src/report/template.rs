@@ -4,8 +4,7 @@ use std::collections::BTreeMap;
 
 use minijinja::syntax::SyntaxConfig;
 use minijinja::{AutoEscape, Environment, Error, ErrorKind, Value};
-
-use super::page::Page;
+use serde::Serialize;
 
 /// An environment whose block tags leave no empty lines behind.
 pub(super) fn environment(escape: AutoEscape) -> Result<Environment<'static>, Error> {
@@ -16,7 +15,11 @@ pub(super) fn environment(escape: AutoEscape) -> Result<Environment<'static>, Er
 }
 
 /// Fills a template with the page.
-pub(super) fn fill(environment: &Environment, template: &str, page: &Page) -> Result<String, Error> {
+pub(super) fn fill(
+    environment: &Environment,
+    template: &str,
+    page: &impl Serialize,
+) -> Result<String, Error> {
     let json = serde_json::to_value(page).map_err(|error| {
         Error::new(ErrorKind::InvalidOperation, "the page is not plain").with_source(error)
     })?;

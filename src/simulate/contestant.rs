@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use super::{InBodyAxes, OnAnyModel, OnPoints, Outcome, Plan, Trajectory, run, substeps};
+use super::{InBodyAxes, OnAnyModel, OnPoints, Outcome, Plan, Program, Trajectory, run, substeps};
 use crate::model::body::Shape;
 use crate::model::{AnyModel, Broken, Snapshot, System, SystemError};
 use crate::schemes::{self, Card, PointScheme, Scheme, TurningScheme, Visitor};
@@ -36,6 +36,7 @@ const MOST_STEPS: u64 = 1 << 20;
 const MOST_FOREIGN_STEPS: u64 = 1 << 17;
 
 type Refusal = dyn Fn(&System) -> Option<String> + Send + Sync;
+type Who = dyn Fn() -> Program + Send + Sync;
 pub(super) type Run = dyn Fn(&System, Form, &Plan, &mut dyn FnMut(&Snapshot)) -> Outcome + Send + Sync;
 
 /// Something under test: a scheme of this or another crate, or a program of its own.
@@ -46,6 +47,7 @@ pub struct Contestant {
     run: Arc<Run>,
     limits: Limits,
     refusal: Option<Arc<Refusal>>,
+    program: Option<Arc<Who>>,
     most_steps: u64,
 }
 
@@ -80,7 +82,7 @@ impl Contestant {
     }
 
     fn within(limits: Limits, card: Card, run: Arc<Run>) -> Contestant {
-        Contestant { card, run, limits, refusal: None, most_steps: MOST_STEPS }
+        Contestant { card, run, limits, refusal: None, program: None, most_steps: MOST_STEPS }
     }
 
     /// A scheme in body axes, of any crate.
@@ -158,8 +160,19 @@ impl Contestant {
             run: Arc::new(within),
             limits: self.limits,
             refusal: self.refusal.clone(),
+            program: self.program.clone(),
             most_steps: self.most_steps / u64::from(parts),
         })
+    }
+
+    /// The same, and who the program is.
+    pub fn by(self, program: impl Fn() -> Program + Send + Sync + 'static) -> Contestant {
+        Contestant { program: Some(Arc::new(program)), ..self }
+    }
+
+    /// Who the foreign program is, where it is one.
+    pub fn program(&self) -> Option<Program> {
+        self.program.as_ref().map(|program| program())
     }
 
     /// Why the scheme cannot take a scene, if it cannot.

@@ -5,6 +5,7 @@
 
 mod contestant;
 mod substeps;
+mod program;
 
 use std::cell::Cell;
 use std::marker::PhantomData;
@@ -18,6 +19,7 @@ use crate::rotation::Rotation;
 use crate::schemes::{PointScheme, Scheme, TurningScheme, Workspace};
 
 pub use contestant::{Contestant, Form};
+pub use program::Program;
 
 /// Steps between two checks that the state is finite.
 const CHECKED_EVERY: u64 = 1024;

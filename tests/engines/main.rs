@@ -4,4 +4,5 @@
 
 mod behaving;
 mod misbehaving;
+mod peers;
 mod stage;

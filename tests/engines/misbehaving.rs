@@ -171,3 +171,54 @@ fn an_interrupt_ends_the_engines_and_leaves_nothing_behind() {
         assert!(!runs(&stage.text("self")), "{interrupts} times {signal}");
     }
 }
+
+#[test]
+fn an_engine_that_takes_too_much_memory_is_ended_and_so_is_what_it_has_started() {
+    let stage = Stage::new();
+    // A line without end is kept whole by tail, here a child of the engine.
+    let scheme = stage.script(&format!("{HELLO}; read -r line; yes | tr -d '\\n' | tail -n 1 > /dev/null"));
+    let run = ["run", "free-asymmetric", "--scheme", &scheme, "--steps", "1", "--engine-memory", "100"];
+    let since = Instant::now();
+    let output = polhode(&run);
+    assert!(since.elapsed() < Duration::from_secs(30));
+    assert_eq!(code(&output), 1, "{}", stderr(&output));
+    assert!(stderr(&output).contains("more than the 100 MiB"), "{}", stderr(&output));
+    assert_eq!(code(&polhode(&["gate", "--scheme", "euler", "--engine-memory", "0"])), 64);
+}
+
+#[test]
+fn a_command_line_that_cannot_be_one_is_told_what_to_write() {
+    let folder = env!("CARGO_MANIFEST_DIR");
+    let script = format!("engine:{folder}/references/engines/scipy_engine.py");
+    for (scheme, words, exit) in [
+        ("engine:", "needs a command line", 69),
+        ("engine:  ", "needs a command line", 69),
+        ("engine:sh 'unclosed", "quotes", 69),
+        (&format!("engine:{folder}"), "it is a folder", 69),
+        ("engine:Cargo.toml", "No such file or directory (os error 2): write ./Cargo.toml", 69),
+        (&script, "write its interpreter before it", 69),
+        ("engine", "engine:python3 my_engine.py", 64),
+        ("python3 engine.py", "engine:python3 my_engine.py", 64),
+    ] {
+        let output = polhode(&["gate", "--scheme", scheme, "--scene", "free-asymmetric"]);
+        assert_eq!(code(&output), exit, "{scheme}");
+        assert!(stderr(&output).contains(words), "{scheme}: {}", stderr(&output));
+    }
+}
+
+#[test]
+fn an_engine_that_answers_only_one_of_two_questions_is_found_out() {
+    let stage = Stage::new();
+    // It reads what has arrived and answers the first line of it.
+    let scheme = stage.script(&format!(
+        "'{}' < /dev/null; while read -r line; do echo \"$line\" | '{}' | tail -n 1; read -r -t 0.1 lost; done",
+        crate::stage::example(),
+        crate::stage::example()
+    ));
+    let output =
+        polhode(&["engine", "check", &scheme.replace("engine:sh", "engine:bash"), "--engine-timeout", "1"]);
+    assert_eq!(code(&output), 1, "{}", stderr(&output));
+    let said = stdout(&output);
+    let rule = said.lines().find(|line| line.contains("questions may be sent before")).expect("the rule");
+    assert!(rule.starts_with("FAIL"), "{said}");
+}

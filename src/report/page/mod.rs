@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use crate::record::{Machine, Records, Verdict};
 
+use super::engines;
 use super::number;
 use super::plot::Subject;
 use super::survey::{self, Outcome};
@@ -38,6 +39,7 @@ pub(super) struct Page {
     drift_figure: Option<FigureView>,
     drifts: Vec<tables::DriftRow>,
     overall: Vec<rankings::Overall>,
+    engines: Option<engines::Section>,
     scenes: Vec<scene::Scene>,
 }
 
@@ -51,7 +53,7 @@ struct Count {
 
 /// A picture as the templates see it.
 #[derive(Serialize)]
-struct FigureView {
+pub(super) struct FigureView {
     file: String,
     svg: String,
     caption: String,
@@ -140,6 +142,7 @@ pub(super) fn compose(records: &Records, main: &Records, figures: &[Figure]) -> 
         ),
         drifts: main.drifts.iter().map(tables::DriftRow::new).collect(),
         overall: rankings::overall(records),
+        engines: engines::Section::new(records, figures),
         scenes: survey::scenes(records)
             .into_iter()
             .map(|name| scene::Scene::new(main, figures, name, rankings::Ranking::new(records, name)))
@@ -147,12 +150,12 @@ pub(super) fn compose(records: &Records, main: &Records, figures: &[Figure]) -> 
     }
 }
 
-fn figure(figures: &[Figure], subject: &Subject, caption: &str) -> Option<FigureView> {
+pub(super) fn figure(figures: &[Figure], subject: &Subject, caption: &str) -> Option<FigureView> {
     let drawn = figures.iter().find(|figure| figure.subject == *subject)?;
     Some(FigureView { file: subject.file_name(), svg: drawn.svg.clone(), caption: caption.into() })
 }
 
-fn machine_words(machine: &Machine) -> String {
+pub(super) fn machine_words(machine: &Machine) -> String {
     let threads =
         if machine.threads > 0 { number::counted(machine.threads, "thread") } else { String::new() };
     let parts = [&machine.os, &machine.architecture, &machine.processor, &threads];

@@ -6,6 +6,7 @@ mod convergence;
 mod convergence_panel;
 mod curves;
 mod drift;
+mod engines;
 mod font;
 pub mod heat_map;
 mod invariants;
@@ -26,7 +27,7 @@ use crate::record::Records;
 
 use super::survey;
 use palette::Palette;
-pub(in crate::report) use render::Fault;
+pub(in crate::report) use render::{Fault, alone};
 use sketch::Sketch;
 
 /// What a picture shows.
@@ -42,17 +43,25 @@ pub(super) enum Subject {
     Invariants(String),
     /// Errors of every scheme on one scene against its work.
     WorkPrecision(String),
+    /// Errors of foreign programs and of schemes on one scene, against step and cost.
+    Engines(String),
 }
 
 impl Subject {
     /// File name inside the folder of plots.
     pub(super) fn file_name(&self) -> String {
+        self.file_stem() + ".png"
+    }
+
+    /// File name without its ending.
+    pub(super) fn file_stem(&self) -> String {
         match self {
-            Subject::Overview => "overview.png".into(),
-            Subject::DriftRates => "drift-rates.png".into(),
-            Subject::Convergence(scene) => format!("{}-convergence.png", survey::file_stem(scene)),
-            Subject::Invariants(scene) => format!("{}-invariants.png", survey::file_stem(scene)),
-            Subject::WorkPrecision(scene) => format!("{}-work-precision.png", survey::file_stem(scene)),
+            Subject::Overview => "overview".into(),
+            Subject::DriftRates => "drift-rates".into(),
+            Subject::Convergence(scene) => format!("{}-convergence", survey::file_stem(scene)),
+            Subject::Invariants(scene) => format!("{}-invariants", survey::file_stem(scene)),
+            Subject::WorkPrecision(scene) => format!("{}-work-precision", survey::file_stem(scene)),
+            Subject::Engines(scene) => format!("engines-{}", survey::file_stem(scene)),
         }
     }
 }
@@ -84,7 +93,16 @@ pub(super) fn subjects(records: &Records) -> Vec<Subject> {
         subjects.push(Subject::Invariants(scene.into()));
         subjects.push(Subject::WorkPrecision(scene.into()));
     }
+    subjects.extend(engine_subjects(records));
     subjects
+}
+
+/// The pictures of foreign programs: none where there is no program.
+pub(super) fn engine_subjects(records: &Records) -> Vec<Subject> {
+    if records.engines.is_empty() {
+        return Vec::new();
+    }
+    survey::scenes(records).into_iter().map(|scene| Subject::Engines(scene.into())).collect()
 }
 
 /// The pictures that stand for all: the overview, the drift, and the first scene under forces that carries an
@@ -92,7 +110,11 @@ pub(super) fn subjects(records: &Records) -> Vec<Subject> {
 pub(super) fn key_subjects(records: &Records) -> Vec<Subject> {
     let typical = records.scenes.iter().find(|row| !row.laws.is_empty() && row.not_for_order.is_none());
     let typical = typical.map(|row| Subject::Convergence(row.name.clone()));
-    [Subject::Overview, Subject::DriftRates].into_iter().chain(typical).collect()
+    [Subject::Overview, Subject::DriftRates]
+        .into_iter()
+        .chain(typical)
+        .chain(engine_subjects(records))
+        .collect()
 }
 
 /// Lays a picture out; `None` where the records hold nothing to draw. `main` is the records without the schemes that stand apart.
@@ -112,6 +134,7 @@ pub(super) fn lay_out(
         Subject::Convergence(scene) => convergence::sketch(main, &palette, scene),
         Subject::Invariants(scene) => invariants::sketch(main, &palette, scene),
         Subject::WorkPrecision(scene) => work_precision::sketch(records, scene),
+        Subject::Engines(scene) => engines::sketch(records, scene),
     };
     Ok(sketch.map(|sketch| Picture { subject: subject.clone(), sketch }))
 }

@@ -103,6 +103,11 @@ fn layer(size: (u32, u32), shapes: &[Shape]) -> Result<String, Fault> {
     Ok(body.replace(" opacity=\"1\"", "").replace(" font-family=\"sans-serif\"", "").replace(">\n", ">"))
 }
 
+/// An SVG element as a file of its own, which no page gives a typeface.
+pub(in crate::report) fn alone(svg: &str) -> String {
+    svg.replacen("<svg ", "<svg font-family=\"DejaVu Sans, Verdana, Arial, sans-serif\" ", 1)
+}
+
 fn paint<B: DrawingBackend>(shapes: &[Shape], area: DrawingArea<B, Shift>, pen: &Pen) -> Result<(), Fault> {
     for shape in shapes {
         draw(shape, &area, pen)?;

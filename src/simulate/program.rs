@@ -1,0 +1,14 @@
+//! Who a foreign program is.
+
+/// A foreign program, as it tells of itself and as it was seen.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Program {
+    /// Name.
+    pub name: String,
+    /// Version, or empty.
+    pub version: String,
+    /// Its integrator, or empty.
+    pub integrator: String,
+    /// Whether it computes in single precision: it says so, or all that it has answered so far is single.
+    pub single_precision: bool,
+}
