@@ -6,6 +6,7 @@
 
 mod copy;
 mod planted;
+pub mod random;
 
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
