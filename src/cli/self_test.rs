@@ -1,12 +1,13 @@
 //! `polhode self-test`: planted defects, each of which must go red.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use clap::Args;
 use comfy_table::{ContentArrangement, Table, presets};
 
 use super::Failure;
 use super::gate::progress_bar;
+use crate::record::Verdict;
 use crate::scenes::random;
 use crate::self_test::{self, Findings, Outcome};
 
@@ -136,11 +137,18 @@ fn random_summary(seed: u64, findings: &self_test::random::Findings) -> String {
     for (cause, count) in causes {
         text += &format!("{count:6}  {cause}\n");
     }
-    for finding in findings.against.iter().take(MOST_SHOWN) {
-        let v = &finding.verdict;
+    let mut groups: BTreeMap<(u64, &str, &str), Vec<&Verdict>> = BTreeMap::new();
+    for finding in &findings.against {
+        let verdict = &finding.verdict;
+        groups.entry((finding.number, &verdict.scheme, &verdict.claim)).or_default().push(verdict);
+    }
+    for ((number, scheme, claim), verdicts) in groups.iter().take(MOST_SHOWN) {
+        let (first, more) = (verdicts[0], verdicts.len() - 1);
         text += &format!(
-            "\nAGAINST A CORRECT SCHEME: {} {} {}: {}\n  polhode self-test --seed {seed} --print {}\n",
-            v.scheme, v.claim, v.quantity, v.detail, finding.number
+            "\nAGAINST A CORRECT SCHEME: {scheme} {claim} {}: {}{}\n  polhode self-test --seed {seed} --print {number}\n",
+            first.quantity,
+            first.detail,
+            if more > 0 { format!(" … and {more} more") } else { String::new() },
         );
     }
     text += &match findings.against.len() {

@@ -118,12 +118,12 @@ fn judge_fit(
     let (bottom, top) = (f64::from(order) - BAND, f64::from(order) + BAND);
     let (verdict, reason) = if ladder.holds(order) {
         (Ruling::Pass, "inside")
-    } else if fit.slope > top {
+    } else if fit.low > top {
         (Ruling::Fail, "above the band (too easy a scene, or mis-declared):")
-    } else if fit.slope < bottom {
+    } else if fit.high < bottom {
         (Ruling::Fail, "below the band:")
     } else {
-        (Ruling::Inconclusive, "interval wider than the band:")
+        (Ruling::Inconclusive, "the interval reaches across an end of the band:")
     };
     Verdict {
         measured: Some(fit.slope),

@@ -1,15 +1,8 @@
 //! A scheme's ladder of steps on a scene: the same run at halved steps, until the orders are settled.
-//!
-//! The floor of an error is what rounding and the reference leave undecided. Rounding is measured: the start
-//! is moved a little in seeded directions, and the growth of the difference over the run says what a rounding of
-//! each step becomes. n steps leave about √n roundings, but n of them where every step is the same and rounds the same
-//! way: the rotation in a steady spin, the translation under a constant force. The rounding of h turns the phase
-//! by u |Ω| T.
 
-use nalgebra::Vector3;
-
+use super::rounding::{floors, of_giant_steps, rounding_growth, roundings};
 use super::{ALL, Reading, Sight, errors};
-use crate::model::{Quantity, Snapshot, Start, System, difference};
+use crate::model::{Quantity, Snapshot, System, difference};
 use crate::reference::Reference;
 use crate::regression::{self, Fit, Ladder};
 use crate::rotation;
@@ -33,10 +26,6 @@ const STANDS: f64 = 0.02;
 const GIANT_STEPS: [u64; 4] = [1, 3, 5, 7];
 /// Half-width of the band about the claimed order.
 pub const BAND: f64 = 0.15;
-/// Size of the displacements that measure how roundings grow, relative.
-const DISPLACEMENT: f64 = 1e-7;
-/// Directions of displacement.
-const DIRECTIONS: usize = 3;
 
 /// Where along a run an error is taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -268,7 +257,11 @@ fn giant_steps(
             let apart = difference(&system.body, end, &reference.states[last]);
             errors = apart.map(|value| Reading { end: value, max: value });
         }
-        let floors = floors(reference, growth, roundings(system, steps, turned));
+        let measured = of_giant_steps(contestant, system, &plan, states.last());
+        let mut floors = floors(reference, growth, roundings(system, steps, turned));
+        for (floor, measured) in floors.iter_mut().zip(measured) {
+            *floor = Reading { end: floor.end.max(measured), max: floor.max.max(measured) };
+        }
         Rung { step: plan.step, steps, errors, floors, moved: errors, readings: Vec::new(), outcome }
     };
     GIANT_STEPS.map(run).to_vec()
@@ -296,7 +289,7 @@ fn run_rung(
 }
 
 /// How far two runs are apart at the end and at most.
-fn apart(system: &System, a: &[Snapshot], b: &[Snapshot]) -> [Reading; 6] {
+pub(super) fn apart(system: &System, a: &[Snapshot], b: &[Snapshot]) -> [Reading; 6] {
     let mut readings = [Reading { end: 0.0, max: 0.0 }; 6];
     for (a, b) in a.iter().zip(b) {
         for (reading, value) in readings.iter_mut().zip(difference(&system.body, a, b)) {
@@ -306,7 +299,7 @@ fn apart(system: &System, a: &[Snapshot], b: &[Snapshot]) -> [Reading; 6] {
     readings
 }
 
-fn plan(reference: &Reference, steps: u64) -> Plan {
+pub(super) fn plan(reference: &Reference, steps: u64) -> Plan {
     let samples = reference.times.len() as u64 - 1;
     Plan::over(reference.times[reference.times.len() - 1], steps, samples)
 }
@@ -347,70 +340,10 @@ fn leading_constant(points: &[(f64, f64, f64)], ladder: &Ladder, order: u32) -> 
     Some(clearest.1 / clearest.0.powi(order as i32))
 }
 
-/// How many times larger a relative displacement of the start is at the end and at its largest, per quantity.
-fn rounding_growth(
-    contestant: &Contestant,
-    system: &System,
-    reference: &Reference,
-    steps: u64,
-) -> [Reading; 6] {
-    let plan = plan(reference, steps);
-    let undisturbed = contestant.run(system, Form::Least, &plan);
-    let mut growth = [Reading { end: 0.0, max: 0.0 }; 6];
-    for direction in 0..DIRECTIONS {
-        let displaced = displaced(system, reference, direction);
-        let moved = contestant.run(&displaced, Form::Least, &plan);
-        for (reading, by) in growth.iter_mut().zip(apart(system, &moved.states, &undisturbed.states)) {
-            reading.end = reading.end.max(by.end / DISPLACEMENT);
-            reading.max = reading.max.max(by.max / DISPLACEMENT);
-        }
-    }
-    growth
-}
-
-/// The system started a little off in everything that rounding touches, in one of a few fixed directions.
-fn displaced(system: &System, reference: &Reference, direction: usize) -> System {
-    let directions: [Vector3<f64>; DIRECTIONS] =
-        [Vector3::new(0.36, 0.48, 0.8), Vector3::new(0.8, -0.6, 0.0), Vector3::new(-0.48, -0.64, 0.6)];
-    let along =
-        |scale: f64, shift: usize| directions[(direction + shift) % DIRECTIONS] * (scale * DISPLACEMENT);
-    let largest = |value: fn(&Snapshot) -> f64| reference.states.iter().map(value).fold(0.0, f64::max);
-    let change = Start {
-        position: along(largest(|s| s.position.amax()).max(system.body.extent()), 1),
-        velocity: along(largest(|s| s.velocity.amax()), 2),
-        angular_momentum: along(largest(|s| s.angular_momentum.amax()), 1),
-        orientation: system.start.orientation,
-    };
-    system.displaced(&along(1.0, 0), &change)
-}
-
 /// How large each quantity of a motion is, or how far it can be off at all; a position can be off by anything.
 fn sizes(system: &System, reference: &Reference) -> [f64; 6] {
     let largest = |value: fn(&Snapshot) -> f64| reference.states.iter().map(value).fold(0.0, f64::max);
     let spin = largest(|s| rotation::length(&s.angular_velocity));
     let momentum = largest(|s| rotation::length(&s.angular_momentum));
     [f64::INFINITY, f64::INFINITY, 1.0, spin, momentum, system.body.extent()]
-}
-
-/// What the roundings of `steps` steps over `turned` radians add up to, relative, for each quantity.
-fn roundings(system: &System, steps: u64, turned: f64) -> [f64; 6] {
-    let steps = steps as f64;
-    let add = |alike: bool| f64::EPSILON * (if alike { steps } else { steps.sqrt() } + 0.5 * turned);
-    let (constant_force, _) = system.constant_force();
-    let (translation, rotation) = (add(constant_force), add(system.steady_spin()));
-    [translation, translation, rotation, rotation, rotation, translation.max(rotation)]
-}
-
-/// The larger of the reference's uncertainty and what roundings become.
-fn floors(reference: &Reference, growth: &[Reading; 6], roundings: [f64; 6]) -> [Reading; 6] {
-    let last = reference.uncertainty[reference.uncertainty.len() - 1];
-    let mut floors = *growth;
-    for (index, floor) in floors.iter_mut().enumerate() {
-        let largest = reference.uncertainty.iter().map(|u| u[index]).fold(0.0, f64::max);
-        *floor = Reading {
-            end: (floor.end * roundings[index]).max(last[index]),
-            max: (floor.max * roundings[index]).max(largest),
-        };
-    }
-    floors
 }

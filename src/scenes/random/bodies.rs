@@ -63,11 +63,11 @@ impl Drawn {
         &self.body.points
     }
 
-    /// A place in the frame of the scene, near a mass point.
+    /// A place in the frame of the scene, near a mass point; on its line for a rod.
     pub fn place(&self, draw: &mut Draw) -> Vector3<f64> {
         let point = self.body.points[draw.below(self.body.points.len())].position * draw.between(0.5, 1.5);
-        let origin = self.pivot.unwrap_or_else(|| self.center());
-        (origin + point).map(|x| draw.number(x))
+        let place = self.pivot.unwrap_or_else(|| self.center()) + point;
+        if self.body.shape == Shape::Extended { place.map(|x| draw.number(x)) } else { place }
     }
 
     /// The centre of mass, in the frame of the points.
