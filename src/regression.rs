@@ -3,6 +3,8 @@
 //! A convergence ladder is a list of (step h, error e) with h falling. Fits use log h itself, so any ratio of
 //! steps will do.
 
+use nalgebra::{Matrix3, Vector3};
+
 /// Student's t, 97.5 % quantile, for 1 … 10 degrees of freedom; 1.96 is its limit.
 const STUDENT: [f64; 10] = [12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228];
 
@@ -14,6 +16,9 @@ pub const FEWEST_SLOPES: usize = 3;
 
 /// Most rungs in a window: coarser ones add bias, not certainty.
 pub const MOST_RUNGS: usize = 6;
+
+/// Relative difference from two terms, as a root mean square, that still counts as explained by them.
+const EXPLAINED: f64 = 0.02;
 
 /// A straight line through log e against log h.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -115,6 +120,34 @@ pub fn find_window(ladder: &[(f64, f64, f64)]) -> Ladder {
         }
     }
     Ladder::Unsettled
+}
+
+/// The part that a term of order p has in the square of the finest error, where a leading term of that order and the next one
+/// explain the ladder: e = |a hᵖ + b hᵖ⁺¹| with vectors a and b, so that
+///
+/// ```text
+/// (e/hᵖ)² = |a|² + 2 a·b h + |b|² h²
+/// ```
+///
+/// `None` where they do not, to [`EXPLAINED`] of an error. Slopes that are still on their way to p (from above where the second term
+/// leads, from anywhere where the two cancel) contradict no order p.
+pub fn leading_part(ladder: &[(f64, f64)], order: u32) -> Option<f64> {
+    let coarsest = ladder.first()?.0;
+    let rows: Vec<(Vector3<f64>, f64)> = ladder
+        .iter()
+        .map(|(h, e)| {
+            let (x, square) = (h / coarsest, (e / (h / coarsest).powi(order as i32)).powi(2));
+            (Vector3::new(1.0, x, x * x) / square, square)
+        })
+        .collect();
+    // Least squares of the relative residual: every row is divided by its value.
+    let normal: Matrix3<f64> = rows.iter().map(|(row, _)| row * row.transpose()).sum();
+    let scale = Matrix3::from_diagonal(&normal.diagonal().map(|x| 1.0 / x.sqrt()));
+    let sum: Vector3<f64> = rows.iter().map(|(row, _)| *row).sum();
+    let terms = scale * (scale * normal * scale).lu().solve(&(scale * sum))?;
+    let residual = rows.iter().map(|(row, _)| (row.dot(&terms) - 1.0).powi(2)).sum::<f64>();
+    let explained = residual <= (2.0 * EXPLAINED).powi(2) * rows.len() as f64;
+    explained.then_some(terms.x / rows.last()?.1)
 }
 
 /// Start and length of the longest run of rungs that stand clear; the finer one of two that are equally long.

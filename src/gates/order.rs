@@ -118,6 +118,8 @@ fn judge_fit(
     let (bottom, top) = (f64::from(order) - BAND, f64::from(order) + BAND);
     let (verdict, reason) = if ladder.holds(order) {
         (Ruling::Pass, "inside")
+    } else if (fit.low > top || fit.high < bottom) && ladder.is_on_its_way(order) {
+        (Ruling::Inconclusive, "a term of the claimed order is there, still under the next one:")
     } else if fit.low > top {
         (Ruling::Fail, "above the band (too easy a scene, or mis-declared):")
     } else if fit.high < bottom {

@@ -24,6 +24,8 @@ const SAMPLES_OF_OWN_STEPS: usize = 4;
 const STANDS: f64 = 0.02;
 /// Numbers of steps, odd ones, that a whole run in steady spin is made in besides its ladder.
 const GIANT_STEPS: [u64; 4] = [1, 3, 5, 7];
+/// Part of the square of the finest error from which on a term counts as seen.
+const HIDDEN: f64 = 0.02;
 /// Half-width of the band about the claimed order.
 pub const BAND: f64 = 0.15;
 
@@ -111,6 +113,14 @@ impl QuantityLadder {
     /// The fit, where there is a window.
     pub fn fit(&self) -> Option<Fit> {
         if let Ladder::Window { fit, .. } = &self.ladder { Some(*fit) } else { None }
+    }
+
+    /// Whether the window is explained by a term of `order` that the next one still hides: then slopes outside the band say
+    /// nothing against that order.
+    pub fn is_on_its_way(&self, order: u32) -> bool {
+        let Ladder::Window { rungs, .. } = &self.ladder else { return false };
+        let window: Vec<(f64, f64)> = self.rungs[rungs.clone()].iter().map(|rung| (rung.0, rung.1)).collect();
+        regression::leading_part(&window, order).is_some_and(|part| part > HIDDEN)
     }
 
     /// Whether the interval lies inside the band about `order`.
@@ -235,7 +245,7 @@ fn settled(ladder: &QuantityLadder, last: Option<&QuantityLadder>, order: u32) -
     let before = last.and_then(QuantityLadder::fit);
     let stands = ladder.fit().zip(before).is_some_and(|(now, before)| {
         let outside = (now.slope - f64::from(order)).abs() > BAND;
-        outside && (now.slope - before.slope).abs() < STANDS
+        outside && (now.slope - before.slope).abs() < STANDS && !ladder.is_on_its_way(order)
     });
     at_floor || stands || ladder.holds(order)
 }
