@@ -53,6 +53,7 @@ const EDGES: &[(&str, &[&str])] = &[
             "model",
             "record",
             "reference",
+            "regression",
             "rotation",
             "scenes",
             "schemes",

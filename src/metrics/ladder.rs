@@ -24,8 +24,6 @@ const SAMPLES_OF_OWN_STEPS: usize = 4;
 const STANDS: f64 = 0.02;
 /// Numbers of steps, odd ones, that a whole run in steady spin is made in besides its ladder.
 const GIANT_STEPS: [u64; 4] = [1, 3, 5, 7];
-/// Part of the square of the finest error from which on a term counts as seen.
-const HIDDEN: f64 = 0.02;
 /// Half-width of the band about the claimed order.
 pub const BAND: f64 = 0.15;
 
@@ -97,6 +95,13 @@ pub struct QuantityLadder {
 const AS_LARGE_AS_THE_MOTION: f64 = 0.25;
 
 impl QuantityLadder {
+    /// A ladder of (h, error, floor), h falling, with what it says; the constant is that of `order`.
+    pub fn of(quantity: Quantity, place: Place, rungs: Vec<(f64, f64, f64)>, order: u32) -> QuantityLadder {
+        let ladder = regression::find_window(&rungs);
+        let constant = leading_constant(&rungs, &ladder, order);
+        QuantityLadder { quantity, place, rungs, ladder, constant }
+    }
+
     /// A foreign program's ladder ends sooner than a scheme's. One whose finest error is still about as large as the motion
     /// decides nothing about an order, where it would be below the claimed one.
     fn doubt_where_it_ended_early(&mut self, order: u32, sizes: &[f64; 6]) {
@@ -115,12 +120,12 @@ impl QuantityLadder {
         if let Ladder::Window { fit, .. } = &self.ladder { Some(*fit) } else { None }
     }
 
-    /// Whether the window is explained by a term of `order` that the next one still hides: then slopes outside the band say
-    /// nothing against that order.
+    /// Whether the window shows a term of `order` that the next one still hides: with it two terms explain the window, without
+    /// it two terms do not. Slopes outside the band then say nothing against that order.
     pub fn is_on_its_way(&self, order: u32) -> bool {
         let Ladder::Window { rungs, .. } = &self.ladder else { return false };
         let window: Vec<(f64, f64)> = self.rungs[rungs.clone()].iter().map(|rung| (rung.0, rung.1)).collect();
-        regression::leading_part(&window, order).is_some_and(|part| part > HIDDEN)
+        regression::is_explained(&window, order) && !regression::is_explained(&window, order + 1)
     }
 
     /// Whether the interval lies inside the band about `order`.
@@ -323,9 +328,11 @@ fn ladders(rungs: &[Rung], order: u32) -> Vec<QuantityLadder> {
                 .map(|r| (r.step, place.of(&r.errors[index]), place.of(&r.floors[index])))
                 .collect();
             let moved: Vec<f64> = rungs.iter().map(|r| place.of(&r.moved[index])).collect();
-            let ladder = doubted(regression::find_window(&points), &points, &moved, order);
-            let constant = leading_constant(&points, &ladder, order);
-            ladders.push(QuantityLadder { quantity, place, rungs: points, ladder, constant });
+            let mut ladder = QuantityLadder::of(quantity, place, points, order);
+            if is_doubtful(&ladder, &moved, order) {
+                (ladder.ladder, ladder.constant) = (Ladder::Unsettled, None);
+            }
+            ladders.push(ladder);
         }
     }
     ladders
@@ -335,12 +342,12 @@ fn ladders(rungs: &[Rung], order: u32) -> Vec<QuantityLadder> {
 /// slope like that explains, is no asymptotic range: errors as large as the motion itself do not fall, yet
 /// every run goes a way of its own. (Runs that agree with one another but not with the truth stay: they
 /// converge to something wrong.)
-fn doubted(ladder: Ladder, points: &[(f64, f64, f64)], moved: &[f64], order: u32) -> Ladder {
-    let Ladder::Window { rungs, fit } = &ladder else { return ladder };
+fn is_doubtful(ladder: &QuantityLadder, moved: &[f64], order: u32) -> bool {
+    let Ladder::Window { rungs, fit } = &ladder.ladder else { return false };
     let (last, before) = (rungs.end - 1, rungs.end - 2);
-    let expected = (points[before].0 / points[last].0).powf(fit.slope.max(0.0)) - 1.0;
-    let doubtful = moved[last] > (3.0 * expected + 0.1) * points[last].1;
-    if fit.slope < f64::from(order) - BAND && doubtful { Ladder::Unsettled } else { ladder }
+    let (fine, coarse) = (ladder.rungs[last], ladder.rungs[before]);
+    let expected = (coarse.0 / fine.0).powf(fit.slope.max(0.0)) - 1.0;
+    fit.slope < f64::from(order) - BAND && moved[last] > (3.0 * expected + 0.1) * fine.1
 }
 
 fn leading_constant(points: &[(f64, f64, f64)], ladder: &Ladder, order: u32) -> Option<f64> {

@@ -17,8 +17,10 @@ use crate::reference::Reference;
 use crate::rotation;
 use crate::simulate::{Contestant, Form, Plan};
 
-/// Size of the displacements that measure how roundings grow, relative.
-const DISPLACEMENT: f64 = 1e-7;
+/// Sizes of the displacements that measure how roundings grow, relative: the first that does not grow to the size of the motion.
+const DISPLACEMENTS: [f64; 3] = [1e-7, 1e-10, 1e-13];
+/// Part of the motion's size from which on a difference no longer grows as a small one would.
+const SATURATED: f64 = 0.05;
 /// Directions of displacement, and turned worlds.
 const DIRECTIONS: usize = 3;
 /// Relative difference of a run in a turned world from which on it is no rounding.
@@ -33,27 +35,41 @@ pub(super) fn rounding_growth(
 ) -> [Reading; 6] {
     let plan = plan(reference, steps);
     let undisturbed = contestant.run(system, Form::Least, &plan);
-    let mut growth = [Reading { end: 0.0, max: 0.0 }; 6];
-    for direction in 0..DIRECTIONS {
-        let displaced = displaced(system, reference, direction);
-        let moved = contestant.run(&displaced, Form::Least, &plan);
-        for (reading, by) in growth.iter_mut().zip(apart(system, &moved.states, &undisturbed.states)) {
-            reading.end = reading.end.max(by.end / DISPLACEMENT);
-            reading.max = reading.max.max(by.max / DISPLACEMENT);
+    let mut grown = [Reading { end: 0.0, max: 0.0 }; 6];
+    for displacement in DISPLACEMENTS {
+        grown = [Reading { end: 0.0, max: 0.0 }; 6];
+        let mut largest: f64 = 0.0;
+        for direction in 0..DIRECTIONS {
+            let displaced = displaced(system, reference, direction, displacement);
+            let moved = contestant.run(&displaced, Form::Least, &plan);
+            let by = apart(system, &moved.states, &undisturbed.states);
+            largest = largest.max(by[2].max).max(by[0].max / reach(system, reference));
+            for (reading, by) in grown.iter_mut().zip(by) {
+                reading.end = reading.end.max(by.end / displacement);
+                reading.max = reading.max.max(by.max / displacement);
+            }
+        }
+        if largest < SATURATED {
+            break;
         }
     }
-    growth
+    grown
+}
+
+/// How far the body gets [m].
+fn reach(system: &System, reference: &Reference) -> f64 {
+    reference.states.iter().map(|s| s.position.amax()).fold(system.body.extent(), f64::max)
 }
 
 /// The system started a little off in everything that rounding touches, in one of a few fixed directions.
-fn displaced(system: &System, reference: &Reference, direction: usize) -> System {
+fn displaced(system: &System, reference: &Reference, direction: usize, displacement: f64) -> System {
     let directions: [Vector3<f64>; DIRECTIONS] =
         [Vector3::new(0.36, 0.48, 0.8), Vector3::new(0.8, -0.6, 0.0), Vector3::new(-0.48, -0.64, 0.6)];
     let along =
-        |scale: f64, shift: usize| directions[(direction + shift) % DIRECTIONS] * (scale * DISPLACEMENT);
+        |scale: f64, shift: usize| directions[(direction + shift) % DIRECTIONS] * (scale * displacement);
     let largest = |value: fn(&Snapshot) -> f64| reference.states.iter().map(value).fold(0.0, f64::max);
     let change = Start {
-        position: along(largest(|s| s.position.amax()).max(system.body.extent()), 1),
+        position: along(reach(system, reference), 1),
         velocity: along(largest(|s| s.velocity.amax()), 2),
         angular_momentum: along(largest(|s| s.angular_momentum.amax()), 1),
         orientation: system.start.orientation,

@@ -5,6 +5,8 @@
 //! it.
 
 mod copy;
+pub mod ladders;
+pub mod noise;
 mod planted;
 pub mod random;
 

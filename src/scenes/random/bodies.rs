@@ -115,9 +115,8 @@ impl Drawn {
         let mut text = String::new();
         match &self.inertia {
             Some(inertia) => {
-                let rows: Vec<String> = (0..3)
-                    .map(|i| vector(&(inertia.row(i).transpose() * units.inertia())))
-                    .collect();
+                let rows: Vec<String> =
+                    (0..3).map(|i| vector(&(inertia.row(i).transpose() * units.inertia()))).collect();
                 text += &format!("mass = {:?}\ninertia = [{}]\n", units.mass, rows.join(", "));
             }
             None => {
@@ -202,7 +201,8 @@ fn points(draw: &mut Draw) -> Vec<MassPoint> {
 
 /// An inertia that a body can have, about axes of its own or of the scene.
 fn inertia(draw: &mut Draw) -> Matrix3<f64> {
-    let squeezed = |draw: &mut Draw| if draw.chance(0.5) { draw.between(0.1, 1.0) } else { draw.logarithmic(1e-4, 1.0) };
+    let squeezed =
+        |draw: &mut Draw| if draw.chance(0.5) { draw.between(0.1, 1.0) } else { draw.logarithmic(1e-4, 1.0) };
     let second = Vector3::new(1.0, squeezed(draw), squeezed(draw));
     let symmetric = draw.chance(0.15);
     let second = if symmetric { Vector3::new(second.x, second.y, second.y) } else { second };

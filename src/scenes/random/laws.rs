@@ -120,7 +120,9 @@ pub(super) fn draw(draw: &mut Draw, body: &Drawn, start: &Start) -> Mix {
             7 => Some(gravity_gradient(draw)),
             _ => draw.chance(0.4).then(|| ground(draw, start)),
         };
-        laws.extend(law.filter(|law| law.name == "spring" || laws.iter().all(|other| other.name != law.name)));
+        laws.extend(
+            law.filter(|law| law.name == "spring" || laws.iter().all(|other| other.name != law.name)),
+        );
     }
     let (rate, kink) = (laws.iter().map(|law| law.rate).sum(), laws.iter().any(|law| law.name == "ground"));
     Mix { laws, rate, kink }
@@ -186,7 +188,8 @@ fn central_gravity(draw: &mut Draw, start: &Start) -> Drafted {
     let center = position(start) + draw.vector(distance);
     let center = center.map(|x| draw.number(x));
     let mu = draw.number(rate * rate * distance.powi(3));
-    let keys = vec![("mu", Kind::Central, Value::Number(mu)), ("center", Kind::Length, Value::Vector(center))];
+    let keys =
+        vec![("mu", Kind::Central, Value::Number(mu)), ("center", Kind::Length, Value::Vector(center))];
     Drafted { name: "central-gravity", rate: 10.0 * rate, keys }
 }
 
