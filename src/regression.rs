@@ -177,24 +177,26 @@ fn scatter(points: &[(f64, f64)]) -> f64 {
 /// ```
 ///
 /// Pairwise slopes of such a ladder come to p from above where b leads, and from anywhere where the two nearly cancel.
-pub fn is_explained(ladder: &[(f64, f64)], order: u32) -> bool {
-    let Some((coarsest, _)) = ladder.first() else { return false };
-    let rows: Vec<Vector3<f64>> = ladder
+///
+/// `ladder` holds (step, error, relative error of that error).
+pub fn is_explained(ladder: &[(f64, f64, f64)], order: u32) -> bool {
+    let Some((coarsest, ..)) = ladder.first() else { return false };
+    // Least squares of the residual, relative, over what each rung may be off by: the square of an error by twice as much.
+    let rows: Vec<(Vector3<f64>, f64)> = ladder
         .iter()
-        .map(|(h, e)| {
-            let x = h / coarsest;
-            Vector3::new(1.0, x, x * x) / (e / x.powi(order as i32)).powi(2)
+        .map(|(h, e, off)| {
+            let (x, weight) = (h / coarsest, 0.5 / (EXPLAINED + off));
+            (Vector3::new(1.0, x, x * x) * (weight / (e / x.powi(order as i32)).powi(2)), weight)
         })
         .collect();
-    // Least squares of the relative residual: every row is divided by its value.
-    let normal: Matrix3<f64> = rows.iter().map(|row| row * row.transpose()).sum();
+    let normal: Matrix3<f64> = rows.iter().map(|(row, _)| row * row.transpose()).sum();
     let scale = Matrix3::from_diagonal(&normal.diagonal().map(|x| 1.0 / x.sqrt()));
-    let sum: Vector3<f64> = rows.iter().sum();
+    let sum: Vector3<f64> = rows.iter().map(|(row, weight)| row * *weight).sum();
     let Some(terms) = (scale * normal * scale).lu().solve(&(scale * sum)).map(|terms| scale * terms) else {
         return false;
     };
-    let residual = rows.iter().map(|row| (row.dot(&terms) - 1.0).powi(2)).sum::<f64>();
-    terms.x > 0.0 && residual <= (2.0 * EXPLAINED).powi(2) * rows.len() as f64
+    let residual = rows.iter().map(|(row, weight)| (row.dot(&terms) - weight).powi(2)).sum::<f64>();
+    terms.x > 0.0 && residual <= rows.len() as f64
 }
 
 /// Start and length of the longest run of rungs that stand clear; the finer one of two that are equally long.

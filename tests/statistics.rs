@@ -107,7 +107,7 @@ fn the_interval_of_a_window_covers_the_true_slope_in_93_of_100_ladders() {
 #[test]
 fn two_terms_explain_a_ladder_of_their_orders_and_no_other() {
     let explained = |error: fn(f64) -> f64, order| {
-        let ladder: Vec<(f64, f64)> = (0..6).map(|k| 0.5f64.powi(k)).map(|h| (h, error(h))).collect();
+        let ladder: Vec<_> = (0..6).map(|k| 0.5f64.powi(k)).map(|h| (h, error(h), 0.0)).collect();
         regression::is_explained(&ladder, order)
     };
     assert!(explained(|h| h * h, 2));

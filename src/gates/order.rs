@@ -27,7 +27,22 @@ pub(super) fn judge(case: &Case, order: u32) -> Vec<Verdict> {
         verdicts.push(judge_slope(case, order, ladder, &name));
         verdicts.extend(judge_constant(case, ladder, &name));
     }
+    excuse_easy_quantities(order, &mut verdicts);
     verdicts
+}
+
+/// A slope above the band says that the claimed order is too low, or that its term is too small to be seen in one quantity of one
+/// scene. Where other quantities of the same runs have the claimed order, and so a term of it, it is not too low: undecided.
+fn excuse_easy_quantities(order: u32, verdicts: &mut [Verdict]) {
+    let is_order = |v: &Verdict| v.claim == "order";
+    let seen = verdicts.iter().any(|v| is_order(v) && v.verdict == Ruling::Pass);
+    let above = |v: &Verdict| v.low.is_some_and(|low| low > f64::from(order) + BAND);
+    for verdict in verdicts.iter_mut().filter(|v| is_order(v) && v.verdict == Ruling::Fail && above(v)) {
+        if seen {
+            verdict.verdict = Ruling::Inconclusive;
+            verdict.detail += "; other quantities of the same runs have the claimed order";
+        }
+    }
 }
 
 /// Where no order applies, a scheme must at least not converge to another motion. At order p and halved steps two runs differ by

@@ -11,7 +11,7 @@
 use nalgebra::Vector3;
 
 use super::Reading;
-use super::ladder::{apart, plan};
+use super::ladder::apart;
 use crate::model::{Change, Snapshot, Start, System, difference};
 use crate::reference::Reference;
 use crate::rotation;
@@ -23,27 +23,29 @@ const DISPLACEMENTS: [f64; 3] = [1e-7, 1e-10, 1e-13];
 const SATURATED: f64 = 0.05;
 /// Directions of displacement, and turned worlds.
 const DIRECTIONS: usize = 3;
-/// Relative difference of a run in a turned world from which on it is no rounding.
-const NO_ROUNDING: f64 = 1e-10;
+/// Relative difference of a run in a turned world from which on it is no rounding, whatever a giant step makes of it.
+const NO_ROUNDING: f64 = 1e-3;
+/// What the iteration of an implicit equation may leave, relative.
+const SOLVED_TO: f64 = 1e-12;
 
-/// How many times larger a relative displacement of the start is at the end and at its largest, per quantity.
+/// How many times larger a relative displacement of the start is at the end and at its largest, per quantity. `motion` says how
+/// large everything gets.
 pub(super) fn rounding_growth(
     contestant: &Contestant,
     system: &System,
-    reference: &Reference,
-    steps: u64,
+    motion: &[Snapshot],
+    plan: &Plan,
 ) -> [Reading; 6] {
-    let plan = plan(reference, steps);
-    let undisturbed = contestant.run(system, Form::Least, &plan);
+    let undisturbed = contestant.run(system, Form::Least, plan);
     let mut grown = [Reading { end: 0.0, max: 0.0 }; 6];
     for displacement in DISPLACEMENTS {
         grown = [Reading { end: 0.0, max: 0.0 }; 6];
         let mut largest: f64 = 0.0;
         for direction in 0..DIRECTIONS {
-            let displaced = displaced(system, reference, direction, displacement);
-            let moved = contestant.run(&displaced, Form::Least, &plan);
+            let displaced = displaced(system, motion, direction, displacement);
+            let moved = contestant.run(&displaced, Form::Least, plan);
             let by = apart(system, &moved.states, &undisturbed.states);
-            largest = largest.max(by[2].max).max(by[0].max / reach(system, reference));
+            largest = largest.max(by[2].max).max(by[0].max / reach(system, motion));
             for (reading, by) in grown.iter_mut().zip(by) {
                 reading.end = reading.end.max(by.end / displacement);
                 reading.max = reading.max.max(by.max / displacement);
@@ -57,19 +59,19 @@ pub(super) fn rounding_growth(
 }
 
 /// How far the body gets [m].
-fn reach(system: &System, reference: &Reference) -> f64 {
-    reference.states.iter().map(|s| s.position.amax()).fold(system.body.extent(), f64::max)
+fn reach(system: &System, motion: &[Snapshot]) -> f64 {
+    motion.iter().map(|s| s.position.amax()).fold(system.body.extent(), f64::max)
 }
 
 /// The system started a little off in everything that rounding touches, in one of a few fixed directions.
-fn displaced(system: &System, reference: &Reference, direction: usize, displacement: f64) -> System {
+fn displaced(system: &System, motion: &[Snapshot], direction: usize, displacement: f64) -> System {
     let directions: [Vector3<f64>; DIRECTIONS] =
         [Vector3::new(0.36, 0.48, 0.8), Vector3::new(0.8, -0.6, 0.0), Vector3::new(-0.48, -0.64, 0.6)];
     let along =
         |scale: f64, shift: usize| directions[(direction + shift) % DIRECTIONS] * (scale * displacement);
-    let largest = |value: fn(&Snapshot) -> f64| reference.states.iter().map(value).fold(0.0, f64::max);
+    let largest = |value: fn(&Snapshot) -> f64| motion.iter().map(value).fold(0.0, f64::max);
     let change = Start {
-        position: along(reach(system, reference), 1),
+        position: along(reach(system, motion), 1),
         velocity: along(largest(|s| s.velocity.amax()), 2),
         angular_momentum: along(largest(|s| s.angular_momentum.amax()), 1),
         orientation: system.start.orientation,
@@ -119,6 +121,9 @@ pub(super) fn of_giant_steps(
         if apart[3] <= NO_ROUNDING * spin && apart[2] <= NO_ROUNDING {
             largest = std::array::from_fn(|index| largest[index].max(apart[index]));
         }
+        // Every world leaves the same of an implicit equation.
+        let left = run.outcome.solves as f64 * SOLVED_TO;
+        (largest[2], largest[3]) = (largest[2].max(left), largest[3].max(left * spin));
     }
     largest
 }

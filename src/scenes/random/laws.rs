@@ -182,15 +182,24 @@ fn drag(draw: &mut Draw, body: &Drawn) -> Drafted {
     Drafted { name: "drag", rate, keys: vec![("coefficient", Kind::Damping, coefficient)] }
 }
 
-/// From so far that the body does not fall into the centre within the run.
+/// From so far, with a velocity across, or for so short that the body does not fall into the centre within the run: from rest
+/// it takes 1.1 over the rate.
 fn central_gravity(draw: &mut Draw, start: &Start) -> Drafted {
-    let (rate, distance) = (draw.logarithmic(0.1, 0.5), draw.between(5.0, 9.0));
-    let center = position(start) + draw.vector(distance);
-    let center = center.map(|x| draw.number(x));
+    let distance = draw.between(5.0, 9.0);
+    let any = draw.vector(distance);
+    let (rate, center, longest) = match start.velocity {
+        Some(velocity) => {
+            let across = velocity.cross(&any).normalize() * distance;
+            let circular = rotation::length(&velocity) / distance;
+            (circular * draw.between(0.8, 1.2), across, 10.0)
+        }
+        None => (draw.logarithmic(0.1, 0.5), any, 0.8),
+    };
+    let center = (position(start) + center).map(|x| draw.number(x));
     let mu = draw.number(rate * rate * distance.powi(3));
     let keys =
         vec![("mu", Kind::Central, Value::Number(mu)), ("center", Kind::Length, Value::Vector(center))];
-    Drafted { name: "central-gravity", rate: 10.0 * rate, keys }
+    Drafted { name: "central-gravity", rate: rate * super::RADIANS.1 / longest, keys }
 }
 
 /// Charges in proportion to nothing, of both signs.
