@@ -3,8 +3,26 @@
 //! A convergence ladder is a list of (step h, error e) with h falling. Fits use log h itself, so any ratio of
 //! steps will do.
 
-/// Student's t, 97.5 % quantile, for 1 … 10 degrees of freedom; 1.96 is its limit.
+use nalgebra::{Matrix3, Vector3};
+
+/// Student's t, 97.5 % quantile, for 1 … 10 degrees of freedom.
 const STUDENT: [f64; 10] = [12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228];
+
+/// The 97.5 % quantile of Student's t with ν degrees of freedom, one or more. Beyond ten the expansion of Cornish and Fisher about
+/// the quantile z of the normal distribution is good to 2e-5:
+///
+/// ```text
+/// t = z + (z³ + z)/(4 ν) + (5 z⁵ + 16 z³ + 3 z)/(96 ν²) + (3 z⁷ + 19 z⁵ + 17 z³ − 15 z)/(384 ν³)
+/// ```
+fn student(freedom: usize) -> f64 {
+    if let Some(quantile) = STUDENT.get(freedom.saturating_sub(1)) {
+        return *quantile;
+    }
+    let (z, n): (f64, f64) = (1.959_963_985, freedom as f64);
+    z + (z.powi(3) + z) / (4.0 * n)
+        + (5.0 * z.powi(5) + 16.0 * z.powi(3) + 3.0 * z) / (96.0 * n * n)
+        + (3.0 * z.powi(7) + 19.0 * z.powi(5) + 17.0 * z.powi(3) - 15.0 * z) / (384.0 * n.powi(3))
+}
 
 /// Successive slopes that differ by no more than this belong to one asymptotic window.
 pub const SLOPES_AGREE: f64 = 0.15;
@@ -14,6 +32,12 @@ pub const FEWEST_SLOPES: usize = 3;
 
 /// Most rungs in a window: coarser ones add bias, not certainty.
 pub const MOST_RUNGS: usize = 6;
+
+/// Standard deviation of a normal distribution over the median of its sizes.
+const MEDIAN_TO_DEVIATION: f64 = 1.4826;
+
+/// Relative difference from two terms, as a root mean square, that still counts as explained by them.
+const EXPLAINED: f64 = 0.02;
 
 /// A straight line through log e against log h.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,6 +53,11 @@ pub struct Fit {
 /// Least-squares slope of ln e against ln h with its 95 % confidence interval, from three or more rungs with
 /// positive finite errors; `None` otherwise.
 pub fn fit_power(ladder: &[(f64, f64)]) -> Option<Fit> {
+    fit_scattered(ladder, 0.0)
+}
+
+/// The same, with an interval for residuals of at least this standard deviation.
+fn fit_scattered(ladder: &[(f64, f64)], least: f64) -> Option<Fit> {
     if ladder.len() < 3
         || ladder.iter().any(|(h, e)| !(*h > 0.0 && *e > 0.0 && h.is_finite() && e.is_finite()))
     {
@@ -42,8 +71,8 @@ pub fn fit_power(ladder: &[(f64, f64)]) -> Option<Fit> {
     let slope = logs.iter().map(|p| (p.0 - mean_x) * (p.1 - mean_y)).sum::<f64>() / spread;
     let residual: f64 = logs.iter().map(|p| (p.1 - mean_y - slope * (p.0 - mean_x)).powi(2)).sum();
     let freedom = ladder.len() - 2;
-    let error = (residual / freedom as f64 / spread).sqrt();
-    let width = error * STUDENT.get(freedom - 1).copied().unwrap_or(1.96);
+    let deviation = (residual / freedom as f64).sqrt().max(least);
+    let width = student(freedom) * deviation / spread.sqrt();
     Some(Fit { slope, low: slope - width, high: slope + width })
 }
 
@@ -77,7 +106,8 @@ pub enum Ladder {
 /// successive pairwise slopes that agree to [`SLOPES_AGREE`]; it extends towards coarser steps as long as they
 /// agree, up to [`MOST_RUNGS`] rungs. It ends at the finest clear rung: slopes that have settled at coarse steps
 /// and change again are no asymptotic range. Only rungs below a hundred times their floor, whose slopes the
-/// floor may bend, are passed over.
+/// floor may bend, are passed over. The interval of the slope is that of the scatter in the window, or of all clear rungs where
+/// that is larger.
 pub fn find_window(ladder: &[(f64, f64, f64)]) -> Ladder {
     if ladder.last().is_none_or(|(_, e, floor)| !(e.is_finite() && floor.is_finite())) {
         return Ladder::Broken;
@@ -109,12 +139,64 @@ pub fn find_window(ladder: &[(f64, f64, f64)]) -> Ladder {
             first -= 1;
         }
         if last - first >= FEWEST_SLOPES
-            && let Some(fit) = fit_power(&points[first..=last])
+            && let Some(fit) = fit_scattered(&points[first..=last], scatter(&points))
         {
             return Ladder::Window { rungs: start + first..start + last + 1, fit };
         }
     }
     Ladder::Unsettled
+}
+
+/// Standard deviation of ln e about a power law, from all rungs that stand clear: slopes in a window have been chosen for their
+/// agreement, so that what they leave is too small where there is noise. The median of the differences of successive slopes,
+/// each over what a unit of noise makes of it, is not moved by a few rungs that are not asymptotic.
+fn scatter(points: &[(f64, f64)]) -> f64 {
+    let mut changes: Vec<f64> = points
+        .windows(3)
+        .map(|w| {
+            let (a, b) = ((w[0].0 / w[1].0).ln(), (w[1].0 / w[2].0).ln());
+            let change = (w[0].1 / w[1].1).ln() / a - (w[1].1 / w[2].1).ln() / b;
+            change.abs() / (a.powi(-2) + (1.0 / a + 1.0 / b).powi(2) + b.powi(-2)).sqrt()
+        })
+        .collect();
+    changes.sort_by(f64::total_cmp);
+    let (count, half) = (changes.len(), changes.len() / 2);
+    let median = match count {
+        0 => 0.0,
+        _ if count % 2 == 1 => changes[half],
+        _ => 0.5 * (changes[half - 1] + changes[half]),
+    };
+    MEDIAN_TO_DEVIATION * median
+}
+
+/// Whether a leading term of order p and the next one explain a ladder, to 2 % of an error: e = |a hᵖ + b hᵖ⁺¹| with vectors
+/// a and b, so that
+///
+/// ```text
+/// (e/hᵖ)² = |a|² + 2 a·b h + |b|² h²
+/// ```
+///
+/// Pairwise slopes of such a ladder come to p from above where b leads, and from anywhere where the two nearly cancel.
+///
+/// `ladder` holds (step, error, relative error of that error).
+pub fn is_explained(ladder: &[(f64, f64, f64)], order: u32) -> bool {
+    let Some((coarsest, ..)) = ladder.first() else { return false };
+    // Least squares of the residual, relative, over what each rung may be off by: the square of an error by twice as much.
+    let rows: Vec<(Vector3<f64>, f64)> = ladder
+        .iter()
+        .map(|(h, e, off)| {
+            let (x, weight) = (h / coarsest, 0.5 / (EXPLAINED + off));
+            (Vector3::new(1.0, x, x * x) * (weight / (e / x.powi(order as i32)).powi(2)), weight)
+        })
+        .collect();
+    let normal: Matrix3<f64> = rows.iter().map(|(row, _)| row * row.transpose()).sum();
+    let scale = Matrix3::from_diagonal(&normal.diagonal().map(|x| 1.0 / x.sqrt()));
+    let sum: Vector3<f64> = rows.iter().map(|(row, weight)| row * *weight).sum();
+    let Some(terms) = (scale * normal * scale).lu().solve(&(scale * sum)).map(|terms| scale * terms) else {
+        return false;
+    };
+    let residual = rows.iter().map(|(row, weight)| (row.dot(&terms) - weight).powi(2)).sum::<f64>();
+    terms.x > 0.0 && residual <= rows.len() as f64
 }
 
 /// Start and length of the longest run of rungs that stand clear; the finer one of two that are equally long.

@@ -91,6 +91,7 @@ const EDGES: &[(&str, &[&str])] = &[
             "model",
             "record",
             "reference",
+            "regression",
             "rotation",
             "scenes",
             "schemes",

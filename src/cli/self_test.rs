@@ -1,26 +1,52 @@
 //! `polhode self-test`: planted defects, each of which must go red.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use clap::Args;
 use comfy_table::{ContentArrangement, Table, presets};
 
 use super::Failure;
 use super::gate::progress_bar;
+use crate::record::Verdict;
+use crate::scenes::random;
 use crate::self_test::{self, Findings, Outcome};
 
 /// Options of `polhode self-test`.
 #[derive(Args, Clone, Debug)]
 #[command(after_help = EXAMPLES)]
-pub(super) struct Options {}
+pub(super) struct Options {
+    /// Judge correct schemes in this many random scenes instead: none may fail
+    #[arg(long, value_name = "N")]
+    random: Option<u64>,
+    /// Seed of the random scenes
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    seed: u64,
+    /// Print random scene K of the seed as a scene file
+    #[arg(long, value_name = "K", conflicts_with = "random")]
+    print: Option<u64>,
+}
 
 const EXAMPLES: &str = "\
 Plants defects in the scheme, the force laws, the start, what a run shows, the reference and the claims, and prints which gates
-caught each. A defect is judged until two gates have caught it.
+caught each. A defect is judged until two gates have caught it. With --random, correct schemes are judged in scenes that
+nobody has chosen.
 
-Exit code: 0 every defect was caught and the faithful copy of the scheme stayed green, 1 otherwise.";
+Examples:
+  polhode self-test
+  polhode self-test --random 1000 --seed 7
+  polhode self-test --seed 7 --print 412 > scene.toml      then: polhode gate --scene scene.toml
 
-pub(super) fn self_test(_options: &Options, quiet: bool) -> Result<u8, Failure> {
+Exit code: 0 every defect was caught and the faithful copy of the scheme stayed green, or no correct scheme failed;
+1 otherwise.";
+
+pub(super) fn self_test(options: &Options, quiet: bool) -> Result<u8, Failure> {
+    if let Some(number) = options.print {
+        super::run::print(&random::text(options.seed, number))?;
+        return Ok(0);
+    }
+    if let Some(count) = options.random {
+        return judge_random_scenes(options.seed, count, quiet);
+    }
     let bar = progress_bar(quiet, "planting");
     let findings = self_test::run(&|done, all| {
         bar.set_length(all as u64);
@@ -71,4 +97,66 @@ fn summary(findings: &Findings) -> String {
         text += "\nInterrupted: not every defect was planted.";
     }
     text + "\n"
+}
+
+/// Longest list of findings that is printed.
+const MOST_SHOWN: usize = 50;
+
+fn judge_random_scenes(seed: u64, count: u64, quiet: bool) -> Result<u8, Failure> {
+    let bar = progress_bar(quiet, "judging");
+    let findings = self_test::random::run(seed, count, &|done, all| {
+        bar.set_length(all as u64);
+        bar.set_position(done as u64);
+    });
+    bar.finish_and_clear();
+    super::run::print(&random_summary(seed, &findings))?;
+    Ok(u8::from(!findings.sound()))
+}
+
+fn random_summary(seed: u64, findings: &self_test::random::Findings) -> String {
+    let mut table = Table::new();
+    table.load_preset(presets::UTF8_HORIZONTAL_ONLY);
+    table.set_header(["verdicts on", "pass", "fail", "inconclusive", "not applicable", "broken", "decided"]);
+    let mut row = |name: &str, tally: &self_test::random::Tally| {
+        let counts = [tally.pass, tally.fail, tally.inconclusive, tally.not_applicable, tally.broken];
+        let decided = format!("{:.2} %", 100.0 * tally.decided());
+        let cells = counts.map(|count| count.to_string());
+        table.add_row(std::iter::once(name.to_owned()).chain(cells).chain([decided]));
+    };
+    for (scheme, tally) in &findings.verdicts {
+        row(scheme, tally);
+    }
+    row("scheme in a scene, its worst", &findings.gates);
+    let mut text = format!(
+        "{} random scenes of seed {seed}, {} of them without a reference\n\n{table}\n",
+        findings.scenes, findings.without_reference
+    );
+    let mut causes: Vec<_> = findings.causes().into_iter().collect();
+    causes.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+    text += "\nUndecided, by cause:\n";
+    for (cause, count) in causes {
+        text += &format!("{count:6}  {cause}\n");
+    }
+    let mut groups: BTreeMap<(u64, &str, &str), Vec<&Verdict>> = BTreeMap::new();
+    for finding in &findings.against {
+        let verdict = &finding.verdict;
+        groups.entry((finding.number, &verdict.scheme, &verdict.claim)).or_default().push(verdict);
+    }
+    for ((number, scheme, claim), verdicts) in groups.iter().take(MOST_SHOWN) {
+        let (first, more) = (verdicts[0], verdicts.len() - 1);
+        text += &format!(
+            "\nAGAINST A CORRECT SCHEME: {scheme} {claim} {}: {}{}\n  polhode self-test --seed {seed} --print {number}\n",
+            first.quantity,
+            first.detail,
+            if more > 0 { format!(" … and {more} more") } else { String::new() },
+        );
+    }
+    text += &match findings.against.len() {
+        0 => "\nNothing is held against a correct scheme.\n".to_owned(),
+        count => format!("\n{count} verdicts are held against correct schemes.\n"),
+    };
+    if !findings.complete {
+        text += "Interrupted: not every scene was judged.\n";
+    }
+    text
 }

@@ -1,7 +1,7 @@
 //! The exactness gate: every error of the ladder at the floor of rounding and reference, at the end and over the
 //! run; L of the point form too.
 
-use super::{Case, applies, at_most, ruled};
+use super::{Case, applies, at_most, open_angle, ruled};
 use crate::claim::{Quantity, When};
 use crate::metrics::{Place, PointRun, QuantityLadder, Rung};
 use crate::record::{Ruling, Verdict};
@@ -17,6 +17,13 @@ pub(super) fn judge(case: &Case, quantity: Quantity, when: When) -> Vec<Verdict>
     if !applies(case.system, when) {
         let detail = "the scene is not one that the promise is made for";
         return vec![ruled(case, "exact", quantity.name(), Ruling::NotApplicable, detail)];
+    }
+    if matches!(quantity, Quantity::Orientation | Quantity::AngularVelocity)
+        && let Some(open) = open_angle(case)
+    {
+        let detail =
+            format!("rounding and reference leave {open:.1e} rad open: too much to call anything exact");
+        return vec![ruled(case, "exact", quantity.name(), Ruling::Inconclusive, detail)];
     }
     let mut verdicts = Vec::new();
     for place in Place::ALL {

@@ -3,7 +3,7 @@
 //! Near the separatrix an error of the energy is amplified by the logarithmic period, so that the order of the
 //! times may exceed that of the scheme: what is asked is that they converge at least as fast as claimed.
 
-use super::{Case, ruled};
+use super::{Case, open_angle, ruled};
 use crate::metrics::{BAND, Flips};
 use crate::record::{Ruling, Verdict};
 use crate::regression;
@@ -17,6 +17,12 @@ pub(super) fn judge(case: &Case) -> Vec<Verdict> {
         let detail = "the body does not tumble freely about its middle axis";
         return vec![ruled(case, name, name, Ruling::NotApplicable, detail)];
     };
+    if let Some(open) = open_angle(case) {
+        let detail = format!(
+            "rounding and reference leave {open:.1e} rad open: whether and when the body flips is not known"
+        );
+        return vec![ruled(case, name, name, Ruling::Inconclusive, detail)];
+    }
     let fine = &flips.rungs[flips.rungs.len() - COUNTED..];
     let counts: Vec<usize> = fine.iter().map(|rung| rung.times.len()).collect();
     if counts.iter().any(|count| *count != flips.truth.len()) {

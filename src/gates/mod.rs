@@ -26,6 +26,7 @@ use crate::record::stability::LinearLimit;
 use crate::record::{Records, Ruling, Verdict};
 use crate::schemes::Card;
 
+pub use order::rule;
 pub use reference::judge_reference;
 
 /// Everything that was measured on one scheme in one scene.
@@ -182,6 +183,17 @@ fn promised_exact(case: &Case, quantity: Quantity) -> bool {
         Claim::Exact(exact, when) => *exact == quantity && applies(case.system, *when),
         _ => false,
     })
+}
+
+/// Angle that rounding and reference leave open from which on a rotation is anyone's [rad].
+const OPEN: f64 = 1e-3;
+
+/// What rounding and reference leave open of the orientation over the run [rad], where that is too much to judge a rotation by:
+/// a spin about the middle axis, for long enough, or chaos.
+fn open_angle(case: &Case) -> Option<f64> {
+    let index = Quantity::ALL.iter().position(|quantity| *quantity == Quantity::Orientation)?;
+    let finest = case.evidence.rungs.last()?;
+    Some(finest.floors[index].max).filter(|floor| *floor > OPEN)
 }
 
 /// A verdict without numbers.

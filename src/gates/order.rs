@@ -27,7 +27,22 @@ pub(super) fn judge(case: &Case, order: u32) -> Vec<Verdict> {
         verdicts.push(judge_slope(case, order, ladder, &name));
         verdicts.extend(judge_constant(case, ladder, &name));
     }
+    excuse_easy_quantities(order, &mut verdicts);
     verdicts
+}
+
+/// A slope above the band says that the claimed order is too low, or that its term is too small to be seen in one quantity of one
+/// scene. Where other quantities of the same runs have the claimed order, and so a term of it, it is not too low: undecided.
+fn excuse_easy_quantities(order: u32, verdicts: &mut [Verdict]) {
+    let is_order = |v: &Verdict| v.claim == "order";
+    let seen = verdicts.iter().any(|v| is_order(v) && v.verdict == Ruling::Pass);
+    let above = |v: &Verdict| v.low.is_some_and(|low| low > f64::from(order) + BAND);
+    for verdict in verdicts.iter_mut().filter(|v| is_order(v) && v.verdict == Ruling::Fail && above(v)) {
+        if seen {
+            verdict.verdict = Ruling::Inconclusive;
+            verdict.detail += "; other quantities of the same runs have the claimed order";
+        }
+    }
 }
 
 /// Where no order applies, a scheme must at least not converge to another motion. At order p and halved steps two runs differ by
@@ -74,72 +89,70 @@ fn does_not_turn(case: &Case, quantity: Quantity) -> bool {
 }
 
 fn judge_slope(case: &Case, order: u32, ladder: &QuantityLadder, name: &str) -> Verdict {
-    let rule = |verdict, detail: String| ruled(case, "order", name, verdict, detail);
+    let (verdict, detail) = match &ladder.ladder {
+        Ladder::Broken => {
+            let why = case.evidence.rungs.last().and_then(|rung| rung.outcome.broken.as_ref());
+            (Ruling::Broken, why.map_or("no finite error".to_owned(), ToString::to_string))
+        }
+        _ => rule(ladder, order),
+    };
+    let fit = ladder.fit();
+    Verdict {
+        measured: fit.map(|fit| fit.slope),
+        low: fit.map(|fit| fit.low),
+        high: fit.map(|fit| fit.high),
+        ..ruled(case, "order", name, verdict, detail)
+    }
+}
+
+/// What a ladder says of a claimed order, and why, by nothing but its numbers.
+pub fn rule(ladder: &QuantityLadder, order: u32) -> (Ruling, String) {
     match &ladder.ladder {
-        Ladder::Window { fit, rungs } => judge_fit(case, order, ladder, fit, rungs.len(), name),
-        Ladder::Exact => rule(
+        Ladder::Window { fit, rungs } => rule_on_fit(ladder, order, fit, rungs.len()),
+        Ladder::Exact => (
             Ruling::NotApplicable,
             "exact: every rung of the ladder is at the floor of rounding and reference, so there is no order to measure"
                 .to_owned(),
         ),
-        Ladder::TooFew { clear } => {
-            let floor = ladder.rungs.last().map_or(f64::NAN, |rung| rung.2);
-            rule(
-                Ruling::Inconclusive,
-                format!(
-                    "only {clear} of {} rungs stand 10 times clear of the floor of rounding and reference ({floor:.2e} {}); a slope needs 4",
-                    ladder.rungs.len(),
-                    ladder.quantity.unit(),
-                ),
-            )
-        }
-        Ladder::Unsettled => rule(
+        Ladder::TooFew { clear } => (
+            Ruling::Inconclusive,
+            format!(
+                "only {clear} of {} rungs stand 10 times clear of the floor of rounding and reference ({:.2e} {}); a slope needs 4",
+                ladder.rungs.len(),
+                ladder.rungs.last().map_or(f64::NAN, |rung| rung.2),
+                ladder.quantity.unit(),
+            ),
+        ),
+        Ladder::Unsettled => (
             Ruling::Inconclusive,
             format!(
                 "no three successive slopes agree to 0.15 down to h = {:.3e} s: not asymptotic",
                 ladder.rungs.last().map_or(f64::NAN, |rung| rung.0)
             ),
         ),
-        Ladder::Broken => {
-            let why = case.evidence.rungs.last().and_then(|rung| rung.outcome.broken.as_ref());
-            rule(Ruling::Broken, why.map_or("no finite error".to_owned(), ToString::to_string))
-        }
+        Ladder::Broken => (Ruling::Broken, "no finite error at the finest step".to_owned()),
     }
 }
 
-fn judge_fit(
-    case: &Case,
-    order: u32,
-    ladder: &QuantityLadder,
-    fit: &Fit,
-    rungs: usize,
-    name: &str,
-) -> Verdict {
+fn rule_on_fit(ladder: &QuantityLadder, order: u32, fit: &Fit, rungs: usize) -> (Ruling, String) {
     let (bottom, top) = (f64::from(order) - BAND, f64::from(order) + BAND);
+    let outside = fit.low > top || fit.high < bottom;
     let (verdict, reason) = if ladder.holds(order) {
         (Ruling::Pass, "inside")
-    } else if fit.slope > top {
+    } else if outside && ladder.is_on_its_way(order) {
+        (Ruling::Inconclusive, "a term of the claimed order is there, still under the next one:")
+    } else if fit.low > top {
         (Ruling::Fail, "above the band (too easy a scene, or mis-declared):")
-    } else if fit.slope < bottom {
+    } else if fit.high < bottom {
         (Ruling::Fail, "below the band:")
     } else {
-        (Ruling::Inconclusive, "interval wider than the band:")
+        (Ruling::Inconclusive, "the interval reaches across an end of the band:")
     };
-    Verdict {
-        measured: Some(fit.slope),
-        low: Some(fit.low),
-        high: Some(fit.high),
-        ..ruled(
-            case,
-            "order",
-            name,
-            verdict,
-            format!(
-                "slope {:.3} [{:.3}, {:.3}] over {rungs} rungs, {reason} {bottom:.2} … {top:.2}",
-                fit.slope, fit.low, fit.high
-            ),
-        )
-    }
+    let detail = format!(
+        "slope {:.3} [{:.3}, {:.3}] over {rungs} rungs, {reason} {bottom:.2} … {top:.2}",
+        fit.slope, fit.low, fit.high
+    );
+    (verdict, detail)
 }
 
 fn judge_constant(case: &Case, ladder: &QuantityLadder, name: &str) -> Option<Verdict> {

@@ -3,8 +3,12 @@
 use super::{Case, at_most};
 use crate::record::{Ruling, Verdict};
 
-/// Largest difference of any quantity, over its scale, after 1,000 steps.
+/// Largest difference of any quantity, over its scale, after 1,000 steps: a few times √1000 roundings. Where the moments of
+/// a body lie far apart a rounding of its points turns the axis of the smallest one, and L about it is another: what that makes
+/// of the roundings is measured.
 const LARGEST: f64 = 1e-12;
+/// Roundings of the point form that a difference may have.
+const CLEAR: f64 = 10.0;
 
 pub(super) fn judge(case: &Case) -> Vec<Verdict> {
     if case.evidence.model == "points" {
@@ -17,7 +21,7 @@ pub(super) fn judge(case: &Case) -> Vec<Verdict> {
     };
     // What Σ X̃_k × F_k adds to L by rounding turns the body by as much again for each radian of the run, two here.
     let rounding = if points.torque_rounding.is_finite() { 4.0 * 3.0 * points.torque_rounding } else { 0.0 };
-    let bound = LARGEST + rounding;
+    let bound = LARGEST + rounding + CLEAR * points.rounding;
     let detail = format!(
         "largest difference between model '{}' and the mass points in {} steps, over the scale of each quantity: {:.2e} ≤ {bound:.1e}",
         case.evidence.model, points.steps, points.difference

@@ -6,6 +6,7 @@
 
 use nalgebra::Vector3;
 
+use super::rounding::{rounding_growth, roundings};
 use super::{Place, Rung, larger, steady_rung};
 use crate::model::{Change, Quantity, Snapshot, System, difference};
 use crate::rotation;
@@ -13,6 +14,8 @@ use crate::simulate::{Contestant, Form, Plan};
 
 /// Steps of a run.
 const STEPS: u64 = 256;
+/// States of it that say how roundings grow.
+const SAMPLES: u64 = 16;
 
 /// A run in another world beside the run in the scene's own.
 #[derive(Clone, Debug)]
@@ -46,10 +49,17 @@ pub fn other_worlds(contestant: &Contestant, system: &System, rungs: &[Rung]) ->
         (run.outcome.broken.is_none()).then(|| run.states[run.states.len() - 1])
     };
     let Some(own) = run(system, rung.step) else { return Vec::new() };
+    // The ladder's floors are those of finer runs, which may be steadier.
+    let plan = Plan { step: rung.step, steps, every: (steps / SAMPLES).max(1) };
+    let motion = contestant.run(system, Form::Least, &plan).states;
+    let growth = rounding_growth(contestant, system, &motion, &plan);
+    let turned = motion.iter().map(|s| rotation::length(&s.angular_velocity)).fold(0.0, f64::max);
+    let roundings = roundings(system, steps, turned * rung.step * steps as f64);
+    let growth: [f64; 6] = std::array::from_fn(|index| growth[index].max * roundings[index]);
     let compared = |world: World| {
         let change = &world.change;
         let other = run(&change.apply(system), rung.step * change.time).map(|end| change.undo(&end));
-        let floors = floors(rung, steps, change);
+        let floors = floors(rung, &growth, steps, change);
         compare(system, &world, &own, other.as_ref(), &floors)
     };
     worlds(system, rung.step * steps as f64).into_iter().map(compared).collect()
@@ -87,8 +97,9 @@ fn compare(
 }
 
 /// The floors of the run's own ladder, and what larger positions and velocities in the other world round off.
-fn floors(rung: &Rung, steps: u64, change: &Change) -> [f64; 6] {
-    let mut floors = rung.floors.map(|reading| Place::Max.of(&reading));
+fn floors(rung: &Rung, growth: &[f64; 6], steps: u64, change: &Change) -> [f64; 6] {
+    let mut floors: [f64; 6] =
+        std::array::from_fn(|index| Place::Max.of(&rung.floors[index]).max(growth[index]));
     let per_step = f64::EPSILON * steps as f64;
     let boost = rotation::length(&change.boost);
     let shift = rotation::length(&change.shift) + boost * rung.step * steps as f64;

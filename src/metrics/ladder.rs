@@ -1,15 +1,8 @@
 //! A scheme's ladder of steps on a scene: the same run at halved steps, until the orders are settled.
-//!
-//! The floor of an error is what rounding and the reference leave undecided. Rounding is measured: the start
-//! is moved a little in seeded directions, and the growth of the difference over the run says what a rounding of
-//! each step becomes. n steps leave about √n roundings, but n of them where every step is the same and rounds the same
-//! way: the rotation in a steady spin, the translation under a constant force. The rounding of h turns the phase
-//! by u |Ω| T.
 
-use nalgebra::Vector3;
-
+use super::rounding::{floors, of_giant_steps, rounding_growth, roundings};
 use super::{ALL, Reading, Sight, errors};
-use crate::model::{Quantity, Snapshot, Start, System, difference};
+use crate::model::{Quantity, Snapshot, System, difference};
 use crate::reference::Reference;
 use crate::regression::{self, Fit, Ladder};
 use crate::rotation;
@@ -31,12 +24,10 @@ const SAMPLES_OF_OWN_STEPS: usize = 4;
 const STANDS: f64 = 0.02;
 /// Numbers of steps, odd ones, that a whole run in steady spin is made in besides its ladder.
 const GIANT_STEPS: [u64; 4] = [1, 3, 5, 7];
+/// Slope below which errors hardly fall.
+const FLAT: f64 = 0.5;
 /// Half-width of the band about the claimed order.
 pub const BAND: f64 = 0.15;
-/// Size of the displacements that measure how roundings grow, relative.
-const DISPLACEMENT: f64 = 1e-7;
-/// Directions of displacement.
-const DIRECTIONS: usize = 3;
 
 /// Where along a run an error is taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -106,6 +97,13 @@ pub struct QuantityLadder {
 const AS_LARGE_AS_THE_MOTION: f64 = 0.25;
 
 impl QuantityLadder {
+    /// A ladder of (h, error, floor), h falling, with what it says; the constant is that of `order`.
+    pub fn of(quantity: Quantity, place: Place, rungs: Vec<(f64, f64, f64)>, order: u32) -> QuantityLadder {
+        let ladder = regression::find_window(&rungs);
+        let constant = leading_constant(&rungs, &ladder, order);
+        QuantityLadder { quantity, place, rungs, ladder, constant }
+    }
+
     /// A foreign program's ladder ends sooner than a scheme's. One whose finest error is still about as large as the motion
     /// decides nothing about an order, where it would be below the claimed one.
     fn doubt_where_it_ended_early(&mut self, order: u32, sizes: &[f64; 6]) {
@@ -122,6 +120,16 @@ impl QuantityLadder {
     /// The fit, where there is a window.
     pub fn fit(&self) -> Option<Fit> {
         if let Ladder::Window { fit, .. } = &self.ladder { Some(*fit) } else { None }
+    }
+
+    /// Whether the window shows a term of `order` that the next one still hides: with it two terms explain the window, without
+    /// it two terms do not. Slopes outside the band then say nothing against that order.
+    pub fn is_on_its_way(&self, order: u32) -> bool {
+        let Ladder::Window { rungs, .. } = &self.ladder else { return false };
+        let window = &self.rungs[rungs.clone()];
+        let with: Vec<_> = window.iter().map(|(h, e, floor)| (*h, *e, floor / e)).collect();
+        let without: Vec<_> = window.iter().map(|(h, e, _)| (*h, *e, 0.0)).collect();
+        regression::is_explained(&with, order) && !regression::is_explained(&without, order + 1)
     }
 
     /// Whether the interval lies inside the band about `order`.
@@ -184,7 +192,7 @@ pub fn climb(
     while turned / first as f64 > coarsest && first << FEWEST_RUNGS <= contestant.most_steps() {
         first *= 2;
     }
-    let growth = rounding_growth(contestant, system, reference, first * 4);
+    let growth = rounding_growth(contestant, system, &reference.states, &plan(reference, first * 4));
     let mut evidence = Evidence {
         model: contestant.model(system),
         rungs: Vec::new(),
@@ -239,14 +247,15 @@ fn steps_of_rung(first: u64, index: usize, order: u32) -> u64 {
 }
 
 /// Whether a finer rung would change nothing: the order holds, the error is at its floor, or the last halving of h has
-/// left the slope where it was, outside the band. (What a slope still has to go is about what the last halving changed,
-/// where the next term of the error is one power of h higher.)
+/// left the slope where it was, below the band. (What a slope still has to go is about what the last halving changed,
+/// where the next term of the error is one power of h higher. A slope above the band may stand there for as long as the next
+/// term leads, and come down at last.)
 fn settled(ladder: &QuantityLadder, last: Option<&QuantityLadder>, order: u32) -> bool {
     let at_floor = ladder.rungs.last().is_some_and(|(_, e, floor)| *e <= 10.0 * floor);
     let before = last.and_then(QuantityLadder::fit);
     let stands = ladder.fit().zip(before).is_some_and(|(now, before)| {
-        let outside = (now.slope - f64::from(order)).abs() > BAND;
-        outside && (now.slope - before.slope).abs() < STANDS
+        let below = now.slope < f64::from(order) - BAND;
+        below && (now.slope - before.slope).abs() < STANDS && !ladder.is_on_its_way(order)
     });
     at_floor || stands || ladder.holds(order)
 }
@@ -268,7 +277,11 @@ fn giant_steps(
             let apart = difference(&system.body, end, &reference.states[last]);
             errors = apart.map(|value| Reading { end: value, max: value });
         }
-        let floors = floors(reference, growth, roundings(system, steps, turned));
+        let measured = of_giant_steps(contestant, system, &plan, states.last());
+        let mut floors = floors(reference, growth, roundings(system, steps, turned));
+        for (floor, measured) in floors.iter_mut().zip(measured) {
+            *floor = Reading { end: floor.end.max(measured), max: floor.max.max(measured) };
+        }
         Rung { step: plan.step, steps, errors, floors, moved: errors, readings: Vec::new(), outcome }
     };
     GIANT_STEPS.map(run).to_vec()
@@ -296,7 +309,7 @@ fn run_rung(
 }
 
 /// How far two runs are apart at the end and at most.
-fn apart(system: &System, a: &[Snapshot], b: &[Snapshot]) -> [Reading; 6] {
+pub(super) fn apart(system: &System, a: &[Snapshot], b: &[Snapshot]) -> [Reading; 6] {
     let mut readings = [Reading { end: 0.0, max: 0.0 }; 6];
     for (a, b) in a.iter().zip(b) {
         for (reading, value) in readings.iter_mut().zip(difference(&system.body, a, b)) {
@@ -320,24 +333,29 @@ fn ladders(rungs: &[Rung], order: u32) -> Vec<QuantityLadder> {
                 .map(|r| (r.step, place.of(&r.errors[index]), place.of(&r.floors[index])))
                 .collect();
             let moved: Vec<f64> = rungs.iter().map(|r| place.of(&r.moved[index])).collect();
-            let ladder = doubted(regression::find_window(&points), &points, &moved, order);
-            let constant = leading_constant(&points, &ladder, order);
-            ladders.push(QuantityLadder { quantity, place, rungs: points, ladder, constant });
+            let mut ladder = QuantityLadder::of(quantity, place, points, order);
+            if is_doubtful(&ladder, &moved, order) {
+                (ladder.ladder, ladder.constant) = (Ladder::Unsettled, None);
+            }
+            ladders.push(ladder);
         }
     }
     ladders
 }
 
-/// A window whose slope is below the claimed order, and whose runs differ from one another by far more than a
-/// slope like that explains, is no asymptotic range: errors as large as the motion itself do not fall, yet
-/// every run goes a way of its own. (Runs that agree with one another but not with the truth stay: they
-/// converge to something wrong.)
-fn doubted(ladder: Ladder, points: &[(f64, f64, f64)], moved: &[f64], order: u32) -> Ladder {
-    let Ladder::Window { rungs, fit } = &ladder else { return ladder };
+/// A window whose slope is below the claimed order says nothing of the limit h → 0 where its runs do not agree with one another
+/// as that slope would have it: where they differ by far more (errors as large as the motion do not fall, yet every run goes a
+/// way of its own), and where errors hardly fall and the runs do not come nearer to one another either. (Runs that agree with
+/// one another but not with the truth stay: they converge to something wrong.)
+fn is_doubtful(ladder: &QuantityLadder, moved: &[f64], order: u32) -> bool {
+    let Ladder::Window { rungs, fit } = &ladder.ladder else { return false };
     let (last, before) = (rungs.end - 1, rungs.end - 2);
-    let expected = (points[before].0 / points[last].0).powf(fit.slope.max(0.0)) - 1.0;
-    let doubtful = moved[last] > (3.0 * expected + 0.1) * points[last].1;
-    if fit.slope < f64::from(order) - BAND && doubtful { Ladder::Unsettled } else { ladder }
+    let (fine, coarse) = (ladder.rungs[last], ladder.rungs[before]);
+    let expected = (coarse.0 / fine.0).powf(fit.slope.max(0.0)) - 1.0;
+    let differ = moved[last] > (3.0 * expected + 0.1) * fine.1;
+    // Even a first-order rule that converges to something wrong comes nearer to it by half with every halving.
+    let wander = fit.slope < FLAT && moved[last] > 0.01 * fine.1 && moved[last] > 0.75 * moved[before];
+    fit.slope < f64::from(order) - BAND && (differ || wander)
 }
 
 fn leading_constant(points: &[(f64, f64, f64)], ladder: &Ladder, order: u32) -> Option<f64> {
@@ -347,70 +365,10 @@ fn leading_constant(points: &[(f64, f64, f64)], ladder: &Ladder, order: u32) -> 
     Some(clearest.1 / clearest.0.powi(order as i32))
 }
 
-/// How many times larger a relative displacement of the start is at the end and at its largest, per quantity.
-fn rounding_growth(
-    contestant: &Contestant,
-    system: &System,
-    reference: &Reference,
-    steps: u64,
-) -> [Reading; 6] {
-    let plan = plan(reference, steps);
-    let undisturbed = contestant.run(system, Form::Least, &plan);
-    let mut growth = [Reading { end: 0.0, max: 0.0 }; 6];
-    for direction in 0..DIRECTIONS {
-        let displaced = displaced(system, reference, direction);
-        let moved = contestant.run(&displaced, Form::Least, &plan);
-        for (reading, by) in growth.iter_mut().zip(apart(system, &moved.states, &undisturbed.states)) {
-            reading.end = reading.end.max(by.end / DISPLACEMENT);
-            reading.max = reading.max.max(by.max / DISPLACEMENT);
-        }
-    }
-    growth
-}
-
-/// The system started a little off in everything that rounding touches, in one of a few fixed directions.
-fn displaced(system: &System, reference: &Reference, direction: usize) -> System {
-    let directions: [Vector3<f64>; DIRECTIONS] =
-        [Vector3::new(0.36, 0.48, 0.8), Vector3::new(0.8, -0.6, 0.0), Vector3::new(-0.48, -0.64, 0.6)];
-    let along =
-        |scale: f64, shift: usize| directions[(direction + shift) % DIRECTIONS] * (scale * DISPLACEMENT);
-    let largest = |value: fn(&Snapshot) -> f64| reference.states.iter().map(value).fold(0.0, f64::max);
-    let change = Start {
-        position: along(largest(|s| s.position.amax()).max(system.body.extent()), 1),
-        velocity: along(largest(|s| s.velocity.amax()), 2),
-        angular_momentum: along(largest(|s| s.angular_momentum.amax()), 1),
-        orientation: system.start.orientation,
-    };
-    system.displaced(&along(1.0, 0), &change)
-}
-
 /// How large each quantity of a motion is, or how far it can be off at all; a position can be off by anything.
 fn sizes(system: &System, reference: &Reference) -> [f64; 6] {
     let largest = |value: fn(&Snapshot) -> f64| reference.states.iter().map(value).fold(0.0, f64::max);
     let spin = largest(|s| rotation::length(&s.angular_velocity));
     let momentum = largest(|s| rotation::length(&s.angular_momentum));
     [f64::INFINITY, f64::INFINITY, 1.0, spin, momentum, system.body.extent()]
-}
-
-/// What the roundings of `steps` steps over `turned` radians add up to, relative, for each quantity.
-fn roundings(system: &System, steps: u64, turned: f64) -> [f64; 6] {
-    let steps = steps as f64;
-    let add = |alike: bool| f64::EPSILON * (if alike { steps } else { steps.sqrt() } + 0.5 * turned);
-    let (constant_force, _) = system.constant_force();
-    let (translation, rotation) = (add(constant_force), add(system.steady_spin()));
-    [translation, translation, rotation, rotation, rotation, translation.max(rotation)]
-}
-
-/// The larger of the reference's uncertainty and what roundings become.
-fn floors(reference: &Reference, growth: &[Reading; 6], roundings: [f64; 6]) -> [Reading; 6] {
-    let last = reference.uncertainty[reference.uncertainty.len() - 1];
-    let mut floors = *growth;
-    for (index, floor) in floors.iter_mut().enumerate() {
-        let largest = reference.uncertainty.iter().map(|u| u[index]).fold(0.0, f64::max);
-        *floor = Reading {
-            end: (floor.end * roundings[index]).max(last[index]),
-            max: (floor.max * roundings[index]).max(largest),
-        };
-    }
-    floors
 }

@@ -13,6 +13,7 @@ mod momentum;
 mod points;
 mod reversal;
 mod rigidity;
+mod rounding;
 mod symplecticity;
 
 use crate::model::{Quantity, Snapshot, System, difference};

@@ -1,13 +1,19 @@
 //! The note as written, on every mass point, beside the least model: do they agree, does the body stay rigid, is
 //! L untouched, and what does the reduction save?
 
+use nalgebra::Vector3;
+
 use crate::model::forces::Law;
-use crate::model::{Quantity, Snapshot, System, difference};
+use crate::model::{Change, Quantity, Snapshot, System, difference};
 use crate::rotation;
 use crate::simulate::{Contestant, Form, Outcome, Plan};
 
 /// Steps of the comparison.
 const STEPS: u64 = 1000;
+/// Turned worlds that the point form is run in.
+const TURNS: [Vector3<f64>; 2] = [Vector3::new(0.9, -1.3, 0.4), Vector3::new(-0.2, 0.7, 1.9)];
+/// What rounding may do at most: u n times a condition of the inertia of 10⁴, and some more.
+const NO_ROUNDING: f64 = 1e-8;
 /// Radians turned a step, at most.
 const TURN: f64 = 1.0 / 512.0;
 
@@ -26,6 +32,9 @@ pub struct PointRun {
     pub momentum_change: Option<f64>,
     /// What a rounding of Σ X̃_k × F_k in every step may add to L by the end, over |L|.
     pub torque_rounding: f64,
+    /// What rounding does to the point form: its largest difference from itself in turned worlds, each quantity over its own
+    /// scale.
+    pub rounding: f64,
     /// Cost of the point form.
     pub outcome: Outcome,
     /// Cost of a step of the point form over one of the least model, from the same run.
@@ -47,11 +56,12 @@ pub fn point_run(contestant: &Contestant, system: &System, duration: f64, fastes
     let (mut stretch, mut change): (f64, f64) = (0.0, 0.0);
     for (a, b) in written.states.iter().zip(&least.states) {
         let apart = difference(&system.body, a, b);
-        largest = apart.iter().zip(scales).map(|(d, scale)| d / scale).fold(largest, super::larger);
+        largest = apart.iter().zip(&scales).map(|(d, scale)| d / scale).fold(largest, super::larger);
         stretch = super::larger(stretch, a.stretch);
         change =
             super::larger(change, rotation::length(&(a.angular_momentum - system.start.angular_momentum)));
     }
+    let rounding = rounding(contestant, system, &plan, &written.states, &scales);
     let momentum = rotation::length(&system.start.angular_momentum);
     let torque_rounding = f64::EPSILON * weight_on_arms(system) * step * STEPS as f64 / momentum;
     let cost = |outcome: &Outcome| outcome.nanoseconds as f64 / outcome.steps.max(1) as f64;
@@ -62,9 +72,39 @@ pub fn point_run(contestant: &Contestant, system: &System, duration: f64, fastes
         stretch,
         momentum_change: (system.torque_free() && momentum > 0.0).then_some(change / momentum),
         torque_rounding,
+        rounding,
         speedup: (least.outcome.nanoseconds > 0).then(|| cost(&written.outcome) / cost(&least.outcome)),
         outcome: written.outcome,
     })
+}
+
+/// The point form in turned worlds beside itself: they differ by rounding alone. What differs by more than [`NO_ROUNDING`] is
+/// none, and counts as nothing.
+fn rounding(
+    contestant: &Contestant,
+    system: &System,
+    plan: &Plan,
+    own: &[Snapshot],
+    scales: &[f64; 6],
+) -> f64 {
+    let mut largest = 0.0;
+    for turn in TURNS {
+        let change = Change { turn: rotation::turn(&turn), ..Change::none() };
+        let other = contestant.run(&change.apply(system), Form::Points, plan);
+        let apart = other
+            .states
+            .iter()
+            .zip(own)
+            .flat_map(|(a, b)| {
+                let apart = difference(&system.body, &change.undo(a), b);
+                std::array::from_fn::<f64, 6, _>(|index| apart[index] / scales[index])
+            })
+            .fold(0.0, super::larger);
+        if apart <= NO_ROUNDING {
+            largest = f64::max(largest, apart);
+        }
+    }
+    largest
 }
 
 /// Σ M_k |X̃_k| |g| [N m]: the size of the torques of gravity that cancel in their sum.

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::body::{Body, Shape};
-use super::forces::{Attachment, Forces, Law, PerPoint, TorqueAxes};
+use super::forces::{Attachment, Forces, Law, PerPoint, Spring, TorqueAxes};
 use super::placed::Placed;
 use super::{Falling, Forced, Free, PointCloud, Rotor, Snapshot};
 use crate::rotation::{self, Rotation};
@@ -46,7 +46,7 @@ pub enum SystemError {
     /// A torque about a rod.
     #[error(
         "the body is a rod and law '{law}' turns it about itself, which no spin can follow; write a torque in body \
-         axes across the rod, or a moment along it"
+         axes across the rod, a moment along it, or a spring that is fastened on its line"
     )]
     TorqueAlongRod {
         /// Index of the law.
@@ -377,7 +377,7 @@ fn check_momentum(body: &Body, orientation: &Rotation, momentum: &Vector3<f64>) 
 fn check_law(index: usize, law: &Law, body: &Body) -> Result<(), SystemError> {
     let points = body.points.len();
     if let Shape::Rod { direction } = body.shape
-        && turns_about(law, &direction)
+        && turns_about(law, &direction, body.extent())
     {
         return Err(SystemError::TorqueAlongRod { index, law: law.name() });
     }
@@ -404,8 +404,9 @@ fn check_law(index: usize, law: &Law, body: &Body) -> Result<(), SystemError> {
 }
 
 /// Whether a law has a torque about a rod: one that is fixed in the world while the rod turns, one with a part along
-/// the rod, or that of a moment with a part across it. Forces on points and gravity-gradient torques have none.
-fn turns_about(law: &Law, direction: &Vector3<f64>) -> bool {
+/// the rod, that of a moment with a part across it, or a spring fastened off its line. Forces on points and
+/// gravity-gradient torques have none.
+fn turns_about(law: &Law, direction: &Vector3<f64>, extent: f64) -> bool {
     match law {
         Law::Torque(torque) => [torque.constant, torque.cosine, torque.sine].iter().any(|amplitude| {
             let along = amplitude.dot(direction).abs() > ALONG_ROD * rotation::length(amplitude);
@@ -414,6 +415,10 @@ fn turns_about(law: &Law, direction: &Vector3<f64>) -> bool {
         Law::Dipole(dipole) => {
             let across = rotation::length(&dipole.moment.cross(direction));
             across > ALONG_ROD * rotation::length(&dipole.moment)
+        }
+        Law::Spring(Spring { attachment: Attachment::At(place), .. }) => {
+            let off = rotation::length(&place.cross(direction));
+            off > ALONG_ROD * rotation::length(place).max(extent)
         }
         _ => false,
     }

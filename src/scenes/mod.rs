@@ -8,6 +8,7 @@ mod body;
 mod error;
 mod laws;
 mod list;
+pub mod random;
 mod start;
 mod table;
 mod value;

@@ -141,7 +141,9 @@ fn located(error: &SystemError, entries: &[Value], spin: Option<&Value>, whole: 
     let in_law = |index: usize, key: &str| entries.get(index).and_then(|entry| entry.member(key));
     let (place, advice) = match error {
         SystemError::AlongRod { .. } | SystemError::PointMomentum { .. } => (spin.cloned(), String::new()),
-        SystemError::TorqueAlongRod { index, .. } => (in_law(*index, "law"), String::new()),
+        SystemError::TorqueAlongRod { index, .. } => {
+            (in_law(*index, "at").or_else(|| in_law(*index, "law")), String::new())
+        }
         SystemError::NoPoints { index, .. } => {
             (in_law(*index, "law"), "; remove the law or give the body as points".to_string())
         }

@@ -5,7 +5,10 @@
 //! it.
 
 mod copy;
+pub mod ladders;
+pub mod noise;
 mod planted;
+pub mod random;
 
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};

@@ -1,0 +1,288 @@
+//! The judge on ladders made up of numbers, and wrong judges beside it: what a right judge says of each is known, and every
+//! wrong one must be told from it.
+
+use super::noise::Noise;
+use crate::gates;
+use crate::metrics::{Place, QuantityLadder};
+use crate::model::Quantity;
+use crate::record::Ruling;
+use crate::regression::fit_power;
+
+/// (h, error, floor), h falling.
+pub type Rungs = Vec<(f64, f64, f64)>;
+
+/// A made-up ladder, the order claimed of it, and what is right to say.
+pub struct Row {
+    /// What it is, in words.
+    pub name: &'static str,
+    /// Claimed order.
+    pub order: u32,
+    /// The right verdict.
+    pub right: Ruling,
+    rungs: fn() -> Rungs,
+}
+
+impl Row {
+    /// The ladder.
+    pub fn rungs(&self) -> Rungs {
+        (self.rungs)()
+    }
+}
+
+/// What the gate of the order says of a ladder.
+pub fn judge(rungs: &[(f64, f64, f64)], order: u32) -> Ruling {
+    gates::rule(&QuantityLadder::of(Quantity::BodyPoint, Place::End, rungs.to_vec(), order), order).0
+}
+
+/// `count` rungs of steps that fall by `ratio`.
+fn ladder(count: i32, ratio: f64, floor: f64, error: impl Fn(f64) -> f64) -> Rungs {
+    (0..count).map(|k| ratio.powi(-k)).map(|h| (h, error(h), floor)).collect()
+}
+
+fn halved(error: impl Fn(f64) -> f64) -> Rungs {
+    ladder(10, 2.0, 0.0, error)
+}
+
+/// A pure power with log-normal noise of this deviation.
+fn noisy(seed: u64, count: i32, deviation: f64, error: impl Fn(f64) -> f64) -> Rungs {
+    let mut noise = Noise::of(seed);
+    ladder(count, 2.0, 0.0, error)
+        .into_iter()
+        .map(|(h, e, f)| (h, e * (deviation * noise.normal()).exp(), f))
+        .collect()
+}
+
+/// Two vectors that nearly cancel at h = 0.02: a hᵖ − b hᵖ⁺¹.
+fn cancelling(h: f64) -> f64 {
+    h.powi(2) * ((1.0 - h / 0.02).powi(2) + 1e-6).sqrt()
+}
+
+macro_rules! rows {
+    ($($name:literal, $order:literal, $right:ident, $rungs:expr;)*) => {
+        /// The ladders.
+        pub const TABLE: &[Row] = &[$(Row { name: $name, order: $order, right: Ruling::$right, rungs: || $rungs }),*];
+    };
+}
+
+rows! {
+    "second order", 2, Pass, halved(|h| 3.0 * h * h);
+    "second order, steps by 1.1", 2, Pass, ladder(6, 1.1, 0.0, |h| h * h);
+    "second order, steps by the root of two", 2, Pass, ladder(8, std::f64::consts::SQRT_2, 0.0, |h| h * h);
+    "second order, steps by 10", 2, Pass, ladder(5, 10.0, 0.0, |h| h * h);
+    "first order, steps by 4", 2, Fail, ladder(6, 4.0, 0.0, |h| h);
+    "fourth order, steps by 1.5", 4, Pass, ladder(8, 1.5, 0.0, |h| h.powi(4));
+    "second order, claimed first", 1, Fail, halved(|h| h * h);
+    "second order, claimed third", 3, Fail, halved(|h| h * h);
+    "order 1.8, claimed second", 2, Fail, halved(|h| h.powf(1.8));
+    "order 2.2, claimed second", 2, Fail, halved(|h| h.powf(2.2));
+    "order 1.7, claimed second", 2, Fail, halved(|h| h.powf(1.7));
+    "errors that do not fall", 1, Fail, halved(|_| 1e-3);
+    "errors that grow as h falls", 1, Fail, halved(|h| 1e-6 / h);
+    "errors that grow as the square", 2, Fail, halved(|h| 1e-9 / (h * h));
+    "first order hidden under second, seen", 2, Fail, ladder(18, 2.0, 0.0, |h| h * h + 0.01 * h);
+    "first order hidden under second, on its way", 2, Inconclusive, ladder(9, 2.0, 0.0, |h| h * h + 0.01 * h);
+    "second order under a larger third", 2, Inconclusive, ladder(8, 2.0, 0.0, |h| 0.005 * h * h + h.powi(3));
+    "second order under a larger third, seen", 2, Pass, ladder(16, 2.0, 0.0, |h| 0.005 * h * h + h.powi(3));
+    "third order, claimed second, with a fourth", 2, Fail, halved(|h| h.powi(3) + 0.2 * h.powi(4));
+    "two terms that cancel at a fine step", 2, Inconclusive, ladder(7, 2.0, 0.0, cancelling);
+    "two terms that cancel at a coarse step", 2, Pass, ladder(14, 2.0, 0.0, cancelling);
+    "fourth order down to a floor", 4, Pass, ladder(10, 2.0, 1e-9, |h| h.powi(4) + 1e-9);
+    "second order at the floor after three rungs", 2, Inconclusive, ladder(10, 2.0, 3e-3, |h| h * h + 3e-3);
+    "rounding that grows as the step falls", 4, Pass, (0..14).map(|k| 0.5f64.powi(k)).map(|h| (h, h.powi(4) + 1e-12 / h, 1e-12 / h)).collect();
+    "a floor that was not told", 4, Fail, ladder(14, 2.0, 0.0, |h| h.powi(4) + 1e-9);
+    "all at the floor", 2, NotApplicable, ladder(10, 2.0, 1e-15, |_| 0.0);
+    "a hump before the asymptotic range", 2, Pass, ladder(14, 2.0, 0.0, |h| h * h / (1.0 + (h / 0.05).powi(3)));
+    "a plateau before the asymptotic range", 2, Pass, ladder(14, 2.0, 0.0, |h| h * h / (h * h + 1e-3));
+    "third order at first, then first", 3, Fail, ladder(20, 2.0, 0.0, |h| h.powi(3) + 1e-4 * h);
+    "NaN at the finest steps", 2, Broken, halved(|h| if h < 0.01 { f64::NAN } else { h * h });
+    "NaN at every step", 2, Broken, halved(|_| f64::NAN);
+    "infinite at the coarse steps", 2, Pass, halved(|h| if h > 0.2 { f64::INFINITY } else { h * h });
+    "noise of a hundredth", 2, Pass, noisy(1, 10, 0.01, |h| h * h);
+    "noise of a twentieth", 2, Inconclusive, noisy(11, 4, 0.05, |h| h * h);
+    "noise of a third", 2, Inconclusive, noisy(3, 10, 0.33, |h| h * h);
+    "first order with noise of a hundredth", 2, Fail, noisy(4, 10, 0.01, |h| h);
+    "every other error doubled", 1, Inconclusive, halved(|h| if (h.log2() as i64) % 2 == 0 { h } else { 2.0 * h });
+    "the coarsest rung alone is good", 2, Fail, halved(|h| if h == 1.0 { 4.0 } else { h });
+    "four rungs of second order", 2, Pass, ladder(4, 2.0, 0.0, |h| h * h);
+    "three rungs of second order", 2, Inconclusive, ladder(3, 2.0, 0.0, |h| h * h);
+    "no rungs", 2, Broken, Vec::new();
+    "small second order", 2, Pass, halved(|h| 1e-9 * h * h);
+    "small first order, claimed second", 2, Fail, halved(|h| 1e-9 * h);
+    "constant error below 1e-6, claimed second", 2, Fail, halved(|_| 1e-8);
+}
+
+/// A judge that is wrong in one way.
+pub struct WrongJudge {
+    /// What is wrong.
+    pub name: &'static str,
+    judge: fn(&[(f64, f64, f64)], f64) -> Ruling,
+}
+
+impl WrongJudge {
+    /// Ladders of the table on which it says something else than what is right.
+    pub fn told_by(&self) -> impl Iterator<Item = &'static Row> {
+        TABLE.iter().filter(|row| (self.judge)(&row.rungs(), f64::from(row.order)) != row.right)
+    }
+}
+
+/// Half-width of the band.
+const BAND: f64 = 0.15;
+
+fn slopes(rungs: &[(f64, f64, f64)]) -> Vec<f64> {
+    rungs.windows(2).map(|w| (w[0].1 / w[1].1).ln() / (w[0].0 / w[1].0).ln()).collect()
+}
+
+fn within(slope: f64, order: f64, band: f64) -> Ruling {
+    if (slope - order).abs() <= band { Ruling::Pass } else { Ruling::Fail }
+}
+
+fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len() as f64
+}
+
+/// The right judge on other rungs, or where it says one thing, another.
+fn right(rungs: &[(f64, f64, f64)], order: f64) -> Ruling {
+    judge(rungs, order as u32)
+}
+
+/// The slope and its interval over the window that the right judge finds.
+fn fitted(rungs: &[(f64, f64, f64)]) -> Option<crate::regression::Fit> {
+    QuantityLadder::of(Quantity::BodyPoint, Place::End, rungs.to_vec(), 1).fit()
+}
+
+fn with_floor(rungs: &[(f64, f64, f64)], floor: fn(f64) -> f64) -> Rungs {
+    rungs.iter().map(|(h, e, f)| (*h, *e, floor(*f))).collect()
+}
+
+/// Judges that respected projects have had, and some more.
+pub const WRONG_JUDGES: &[WrongJudge] = &[
+    WrongJudge {
+        name: "fails where p < p0 - tolerance, so that NaN passes",
+        judge: |rungs, order| {
+            if mean(&slopes(rungs)) < order - BAND { Ruling::Fail } else { Ruling::Pass }
+        },
+    },
+    WrongJudge {
+        name: "takes the largest pairwise slope",
+        judge: |rungs, order| within(slopes(rungs).into_iter().fold(f64::NAN, f64::max), order, BAND),
+    },
+    WrongJudge {
+        name: "takes the smallest pairwise slope",
+        judge: |rungs, order| within(slopes(rungs).into_iter().fold(f64::NAN, f64::min), order, BAND),
+    },
+    WrongJudge {
+        name: "takes the mean of log2 whatever the ratio of steps",
+        judge: |rungs, order| {
+            let logs: Vec<f64> = rungs.windows(2).map(|w| (w[0].1 / w[1].1).log2()).collect();
+            within(mean(&logs), order, BAND)
+        },
+    },
+    WrongJudge {
+        name: "has a band of 0.35",
+        judge: |rungs, order| match (fitted(rungs), right(rungs, order)) {
+            (Some(fit), _) => within(fit.slope, order, 0.35),
+            (None, other) => other,
+        },
+    },
+    WrongJudge {
+        name: "looks at no interval",
+        judge: |rungs, order| match (fitted(rungs), right(rungs, order)) {
+            (Some(fit), _) => within(fit.slope, order, BAND),
+            (None, other) => other,
+        },
+    },
+    WrongJudge {
+        name: "passes every slope above the band",
+        judge: |rungs, order| match (fitted(rungs), right(rungs, order)) {
+            (Some(fit), _) if fit.low > order + BAND => Ruling::Pass,
+            (_, other) => other,
+        },
+    },
+    WrongJudge {
+        name: "passes where the interval touches the band",
+        judge: |rungs, order| match (fitted(rungs), right(rungs, order)) {
+            (Some(fit), _) if fit.low <= order + BAND && fit.high >= order - BAND => Ruling::Pass,
+            (_, other) => other,
+        },
+    },
+    WrongJudge {
+        name: "fits a line through every rung",
+        judge: |rungs, order| {
+            let points: Vec<_> = rungs.iter().map(|r| (r.0, r.1)).collect();
+            fit_power(&points).map_or(Ruling::Inconclusive, |fit| within(fit.slope, order, BAND))
+        },
+    },
+    WrongJudge {
+        name: "takes the two coarsest rungs",
+        judge: |rungs, order| slopes(rungs).first().map_or(Ruling::Broken, |s| within(*s, order, BAND)),
+    },
+    WrongJudge {
+        name: "takes the two finest rungs",
+        judge: |rungs, order| slopes(rungs).last().map_or(Ruling::Broken, |s| within(*s, order, BAND)),
+    },
+    WrongJudge { name: "knows no floor", judge: |rungs, order| right(&with_floor(rungs, |_| 0.0), order) },
+    WrongJudge {
+        name: "takes 1e-6 for the floor of everything",
+        judge: |rungs, order| right(&with_floor(rungs, |floor| floor.max(1e-6)), order),
+    },
+    WrongJudge {
+        name: "calls too few rungs a pass",
+        judge: |rungs, order| match right(rungs, order) {
+            Ruling::Inconclusive => Ruling::Pass,
+            other => other,
+        },
+    },
+    WrongJudge {
+        name: "calls what is undecided a failure",
+        judge: |rungs, order| match right(rungs, order) {
+            Ruling::Inconclusive => Ruling::Fail,
+            other => other,
+        },
+    },
+    WrongJudge {
+        name: "leaves out rungs that are not finite",
+        judge: |rungs, order| {
+            let finite: Rungs = rungs.iter().copied().filter(|rung| rung.1.is_finite()).collect();
+            right(&finite, order)
+        },
+    },
+    WrongJudge {
+        name: "calls exact what has no error left, and that a pass",
+        judge: |rungs, order| match right(rungs, order) {
+            Ruling::NotApplicable => Ruling::Pass,
+            other => other,
+        },
+    },
+    WrongJudge {
+        name: "takes the size of a slope for the slope",
+        judge: |rungs, order| {
+            let sizes: Vec<f64> = slopes(rungs).into_iter().map(f64::abs).collect();
+            within(mean(&sizes), order, BAND)
+        },
+    },
+    WrongJudge {
+        name: "forgets the finest rungs, as if they were outliers",
+        judge: |rungs, order| right(&rungs[..rungs.len().saturating_sub(4)], order),
+    },
+    WrongJudge {
+        name: "takes the first window that settles, from the coarse end",
+        judge: |rungs, order| {
+            let windows = (4..=rungs.len()).map(|end| right(&rungs[..end], order));
+            windows.into_iter().find(|ruling| *ruling != Ruling::Inconclusive).unwrap_or(Ruling::Inconclusive)
+        },
+    },
+    WrongJudge {
+        name: "takes every window that has the order for the order",
+        judge: |rungs, order| {
+            let any = (4..=rungs.len()).any(|end| right(&rungs[..end], order) == Ruling::Pass);
+            if any { Ruling::Pass } else { right(rungs, order) }
+        },
+    },
+    WrongJudge {
+        name: "holds a slope against the order before it has come down to it",
+        judge: |rungs, order| match (fitted(rungs), right(rungs, order)) {
+            (Some(fit), _) if fit.low > order + BAND || fit.high < order - BAND => Ruling::Fail,
+            (_, other) => other,
+        },
+    },
+];
