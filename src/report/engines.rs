@@ -10,7 +10,7 @@ use crate::record::{EngineRow, PeerRow, Records};
 use super::page::{Figure, FigureView, figure, machine_words};
 use super::plot::Subject;
 use super::{markdown, number, survey, template};
-use groups::Group;
+use groups::{Alike, Group, Kin};
 
 const PAGE: &str = include_str!("template/engines_page.md");
 
@@ -41,6 +41,7 @@ struct SceneView {
     steps: Vec<String>,
     figure: Option<FigureView>,
     groups: Vec<Group>,
+    alike: Vec<Alike>,
     rows: Vec<Row>,
 }
 
@@ -94,11 +95,13 @@ fn scene_view(records: &Records, figures: &[Figure], scene: &str) -> SceneView {
     schemes.sort_by(|a, b| coarse(a).total_cmp(&coarse(b)));
     let caption =
         "Orientation error at the end of the run against the step and against the time that a run takes.";
+    let kin = Kin::new(records, scene, steps.first().copied().unwrap_or_default());
     SceneView {
         name: scene.into(),
         title: survey::title(records, scene).into(),
         figure: figure(figures, &Subject::Engines(scene.into()), caption),
-        groups: steps.first().map_or(Vec::new(), |step| groups::groups(records, scene, *step)),
+        groups: kin.groups(),
+        alike: kin.alike(),
         rows: schemes.iter().map(|scheme| row(records, &rows, &steps, scheme)).collect(),
         steps: steps.into_iter().map(number::setting).collect(),
     }

@@ -83,7 +83,8 @@ fn a_report_with_engines_has_a_section_on_them_with_versions_and_twins() {
     assert_eq!((&coarse[0]["one"], &coarse[0]["other"]), (&one.as_str().into(), &other.as_str().into()));
     assert_eq!(coarse[0]["to_rounding"], true);
     let (markdown, html) = ("report.md", "index.html");
-    for (file, words) in [(markdown, "## Engines"), (html, "id=\"engines\""), (markdown, "agree to rounding")]
+    for (file, words) in
+        [(markdown, "## Engines"), (html, "id=\"engines\""), (markdown, "they agree to rounding")]
     {
         assert!(fs::read_to_string(out.join(file)).expect("written").contains(words), "{file}: {words}");
     }

@@ -107,7 +107,10 @@ fn merged(records: &Records, scene: &str, lines: &[Line]) -> Vec<Option<String>>
     let twins = |a: &Line, b: &Line| {
         here().any(|twin| {
             let pair = [twin.one.as_str(), twin.other.as_str()];
-            twin.step_s == coarsest && pair.contains(&a.scheme) && pair.contains(&b.scheme)
+            twin.step_s == coarsest
+                && twin.to_rounding
+                && pair.contains(&a.scheme)
+                && pair.contains(&b.scheme)
         })
     };
     let first =
