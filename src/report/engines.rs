@@ -148,14 +148,12 @@ pub(super) fn label(records: &Records, scheme: &str) -> String {
     if others > 1 { scheme.trim_start_matches("engine:").into() } else { label }
 }
 
-/// What the section is made from.
+/// What the section is made from, without the runs behind its pictures, which are ten times as much.
 pub(super) fn kept(records: &Records) -> Records {
-    let metric = |scene: &str| super::ranking::quantity(records, scene);
-    let mut kept =
-        Records { series: Vec::new(), verdicts: Vec::new(), drifts: Vec::new(), ..records.clone() };
-    kept.measurements.retain(|row| row.metric == metric(&row.scene));
-    kept.orders.retain(|row| row.quantity == metric(&row.scene));
-    kept
+    let quantity = |scene: &str| super::ranking::quantity(records, scene);
+    let orders = records.orders.iter().filter(|row| row.quantity == quantity(&row.scene)).cloned().collect();
+    let brief = Records { measurements: Vec::new(), series: Vec::new(), ..records.clone() };
+    Records { verdicts: Vec::new(), drifts: Vec::new(), orders, ..brief }
 }
 
 /// The section as a page of its own.
