@@ -22,6 +22,8 @@ const SAMPLES: u64 = 50;
 const COARSE_TURN: f64 = 0.02;
 /// Fine steps of a coarse one.
 const REFINEMENT: u64 = 10;
+/// Most coarse steps.
+const MOST_STEPS: u64 = 10_000;
 /// A difference of this part of a radian, or of the way that a body goes, is rounding: 10⁴ steps leave 3e-13, measured …
 const ROUNDING: f64 = 1e-12;
 /// … and an error has to be so many times larger before it shows digits.
@@ -65,7 +67,9 @@ pub fn compare(
     let everyone: Vec<&Contestant> = contestants.iter().chain(others).collect();
     let mut peers = Peers::default();
     for (index, scene) in scenes.iter().enumerate() {
-        let stages = stages(scene);
+        let takes = |contestant: &&Contestant| contestant.refusal(&scene.system).is_none();
+        let foreign = contestants.iter().filter(|contestant| contestant.program().is_some());
+        let stages = if foreign.filter(takes).count() > 0 { stages(scene) } else { Vec::new() };
         let runs: Vec<Vec<Ran>> = stages.iter().map(|stage| stage.run_all(&everyone)).collect();
         let twins: Vec<Twin> = stages.iter().zip(&runs).flat_map(|(stage, runs)| stage.twins(runs)).collect();
         let told =
@@ -103,7 +107,7 @@ fn coarse_steps(scene: &Scene) -> Option<u64> {
     let whole = |steps: &f64| (steps - steps.round()).abs() < 1e-9 * steps;
     let round = [5.0, 2.0, 1.0, 0.5, 0.2].map(|part| part * power).into_iter().filter(|h| *h <= widest);
     let steps = round.map(|h| scene.duration / h).find(whole).unwrap_or((scene.duration / widest).ceil());
-    Some(steps.round() as u64)
+    Some((steps.round() as u64).min(MOST_STEPS))
 }
 
 impl Stage<'_> {

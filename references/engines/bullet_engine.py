@@ -1,7 +1,7 @@
 """Bullet by pybullet: both kinds of body, without damping, sleeping and collision."""
 
 from polhode_engine import serve
-from rotations import inverse, principal, product, turned
+from rotations import inverse, principal, product
 
 import importlib.metadata
 

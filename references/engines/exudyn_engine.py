@@ -31,7 +31,7 @@ def start(solver, node, newmark=False):
         settings.timeIntegration.generalizedAlpha.useNewmark = newmark
         settings.timeIntegration.newton.relativeTolerance = 1e-12
         settings.timeIntegration.newton.absoluteTolerance = 1e-14
-        settings.timeIntegration.automaticStepSize = False
+        settings.timeIntegration.automaticStepSize = settings.timeIntegration.adaptiveStep = False
         # ODE23 controls its error even so: a tolerance that nothing exceeds leaves it the step that is asked for.
         settings.timeIntegration.relativeTolerance = settings.timeIntegration.absoluteTolerance = 1e9
 

@@ -10,6 +10,7 @@ use std::process::{Child, ChildStderr, ChildStdin, ChildStdout, Command, Stdio};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::sync::{Arc, Mutex};
+use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use serde_json::Value;
@@ -48,6 +49,7 @@ pub(super) struct Process {
     replies: Receiver<Line>,
     most_bytes: Arc<AtomicUsize>,
     log: Arc<Mutex<Vec<u8>>>,
+    log_reader: Option<JoinHandle<()>>,
 }
 
 impl Process {
@@ -75,11 +77,11 @@ impl Process {
             let most = most_bytes.clone();
             std::thread::spawn(move || read_lines(output, &most, &read));
         }
-        if let Some(errors) = child.stderr.take() {
+        let log_reader = child.stderr.take().map(|errors| {
             let log = log.clone();
-            std::thread::spawn(move || keep_tail(errors, &log));
-        }
-        Ok(Process { child, requests: Some(requests), replies, most_bytes, log })
+            std::thread::spawn(move || keep_tail(errors, &log))
+        });
+        Ok(Process { child, requests: Some(requests), replies, most_bytes, log, log_reader })
     }
 
     /// Sends a question without waiting.
@@ -125,6 +127,7 @@ impl Process {
         if matches!(fault, Fault::Interrupted) {
             return fault;
         }
+        self.hear_the_log_out();
         let log = lock(&self.log).clone();
         let text = String::from_utf8_lossy(&log).into_owned();
         match text.lines().rev().find(|line| !line.trim().is_empty()) {
@@ -132,6 +135,16 @@ impl Process {
                 Fault::Logged { fault: Box::new(fault), log: line.trim().chars().take(200).collect() }
             }
             None => fault,
+        }
+    }
+
+    /// Waits until the log of a child that has ended is read; not for one who has fled with it.
+    fn hear_the_log_out(&self) {
+        let since = Instant::now();
+        while self.log_reader.as_ref().is_some_and(|reader| !reader.is_finished())
+            && since.elapsed() < FAREWELL
+        {
+            std::thread::sleep(Duration::from_millis(2));
         }
     }
 

@@ -10,7 +10,7 @@ use crate::record::{EngineRow, PeerRow, Records};
 use super::page::{Figure, FigureView, figure, machine_words};
 use super::plot::Subject;
 use super::{markdown, number, survey, template};
-use groups::Group;
+use groups::{Alike, Group, Kin};
 
 const PAGE: &str = include_str!("template/engines_page.md");
 
@@ -41,6 +41,7 @@ struct SceneView {
     steps: Vec<String>,
     figure: Option<FigureView>,
     groups: Vec<Group>,
+    alike: Vec<Alike>,
     rows: Vec<Row>,
 }
 
@@ -94,11 +95,13 @@ fn scene_view(records: &Records, figures: &[Figure], scene: &str) -> SceneView {
     schemes.sort_by(|a, b| coarse(a).total_cmp(&coarse(b)));
     let caption =
         "Orientation error at the end of the run against the step and against the time that a run takes.";
+    let kin = Kin::new(records, scene, steps.first().copied().unwrap_or_default());
     SceneView {
         name: scene.into(),
         title: survey::title(records, scene).into(),
         figure: figure(figures, &Subject::Engines(scene.into()), caption),
-        groups: steps.first().map_or(Vec::new(), |step| groups::groups(records, scene, *step)),
+        groups: kin.groups(),
+        alike: kin.alike(),
         rows: schemes.iter().map(|scheme| row(records, &rows, &steps, scheme)).collect(),
         steps: steps.into_iter().map(number::setting).collect(),
     }
@@ -145,14 +148,12 @@ pub(super) fn label(records: &Records, scheme: &str) -> String {
     if others > 1 { scheme.trim_start_matches("engine:").into() } else { label }
 }
 
-/// What the section is made from.
+/// What the section is made from, without the runs behind its pictures, which are ten times as much.
 pub(super) fn kept(records: &Records) -> Records {
-    let metric = |scene: &str| super::ranking::quantity(records, scene);
-    let mut kept =
-        Records { series: Vec::new(), verdicts: Vec::new(), drifts: Vec::new(), ..records.clone() };
-    kept.measurements.retain(|row| row.metric == metric(&row.scene));
-    kept.orders.retain(|row| row.quantity == metric(&row.scene));
-    kept
+    let quantity = |scene: &str| super::ranking::quantity(records, scene);
+    let orders = records.orders.iter().filter(|row| row.quantity == quantity(&row.scene)).cloned().collect();
+    let brief = Records { measurements: Vec::new(), series: Vec::new(), ..records.clone() };
+    Records { verdicts: Vec::new(), drifts: Vec::new(), orders, ..brief }
 }
 
 /// The section as a page of its own.

@@ -107,7 +107,7 @@ pub fn write_brief(
 }
 
 /// Writes the section on foreign programs as a page of its own: `engines.md`, its pictures beside it as SVG, a
-/// tenth of a PNG, and an `engines.json` of what the section is made from.
+/// tenth of a PNG, and an `engines.json` of what the section is made from, without the runs behind its pictures.
 ///
 /// # Errors
 /// A file cannot be written, or a picture or the page cannot be made.

@@ -211,8 +211,7 @@ fn an_engine_that_answers_only_one_of_two_questions_is_found_out() {
     let stage = Stage::new();
     // It reads what has arrived and answers the first line of it.
     let scheme = stage.script(&format!(
-        "'{}' < /dev/null; while read -r line; do echo \"$line\" | '{}' | tail -n 1; read -r -t 0.1 lost; done",
-        crate::stage::example(),
+        "while read -r line; do echo \"$line\" | '{}' | tail -n 1; read -r -t 0.1 lost; done",
         crate::stage::example()
     ));
     let output =

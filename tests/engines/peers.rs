@@ -2,6 +2,7 @@
 
 use std::fs;
 
+use polhode::record::{EngineRow, Records};
 use serde_json::Value;
 
 use crate::stage::{HELLO, Stage, code, example, polhode, stderr, stdout};
@@ -83,7 +84,8 @@ fn a_report_with_engines_has_a_section_on_them_with_versions_and_twins() {
     assert_eq!((&coarse[0]["one"], &coarse[0]["other"]), (&one.as_str().into(), &other.as_str().into()));
     assert_eq!(coarse[0]["to_rounding"], true);
     let (markdown, html) = ("report.md", "index.html");
-    for (file, words) in [(markdown, "## Engines"), (html, "id=\"engines\""), (markdown, "agree to rounding")]
+    for (file, words) in
+        [(markdown, "## Engines"), (html, "id=\"engines\""), (markdown, "they agree to rounding")]
     {
         assert!(fs::read_to_string(out.join(file)).expect("written").contains(words), "{file}: {words}");
     }
@@ -159,4 +161,53 @@ fn single_precision_is_seen_and_may_be_said() {
     let output = polhode(&["gate", "--scheme", &said]);
     assert_eq!(code(&output), 69);
     assert!(stderr(&output).contains("single or double"), "{}{}", stderr(&output), stdout(&output));
+}
+
+#[test]
+fn the_published_comparison_is_of_the_pinned_versions_and_finds_who_has_one_rule() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let text = |path: &str| fs::read_to_string(root.join(path)).expect("a file");
+    let published = Records::read(&root.join("reports/published/engines.json")).expect("a records file");
+    let pins =
+        text("references/engines/requirements.txt") + &text("references/engines/rapier-f64/Cargo.toml");
+    let how = "make it anew with tests/engines/publish";
+    for engine in &published.engines {
+        assert!(pins.contains(&format!("={}", engine.version)), "{}: {how}", engine.scheme);
+        assert_eq!(engine.single_precision, engine.integrator.starts_with("f32"), "{}", engine.scheme);
+        assert!(!engine.scheme.contains(" /"), "a path of one machine: {}", engine.scheme);
+    }
+    let table = text("tests/engines/expected.tsv");
+    let rows = table.lines().filter(|line| !line.starts_with('#') && !line.is_empty()).count();
+    assert_eq!(published.engines.len(), rows, "{how}");
+    let label = |scheme: &str| {
+        published.engines.iter().find(|row| row.scheme == scheme).map_or(scheme.to_owned(), EngineRow::label)
+    };
+    for scene in ["three-moments", "thrown-body"] {
+        let coarsest =
+            published.twins.iter().filter(|t| t.scene == scene).map(|t| t.step_s).fold(0.0, f64::max);
+        let one_rule = |a: &str, b: &str| {
+            published.twins.iter().any(|twin| {
+                let pair = [label(&twin.one), label(&twin.other)];
+                let here = twin.scene == scene && twin.step_s == coarsest && twin.to_rounding;
+                here && pair.contains(&a.to_owned()) && pair.contains(&b.to_owned())
+            })
+        };
+        for (a, b) in [
+            ("mujoco Euler", "bullet multi-body"),
+            ("mujoco Euler", "dart semi-implicit"),
+            ("mujoco implicitfast", "bullet rigid-body"),
+            ("mujoco RK4", "exudyn RK44"),
+            ("drake discrete", "drake semi_explicit_euler"),
+            ("drake discrete", "semi-implicit-euler-explicit-gyro"),
+        ] {
+            assert!(one_rule(a, b), "{scene}: {a} and {b}: {how}");
+        }
+        for (a, b) in [("mujoco Euler", "drake discrete"), ("mujoco Euler", "mujoco implicit")] {
+            assert!(!one_rule(a, b), "{scene}: {a} and {b}");
+        }
+    }
+    assert!(
+        text("reports/published/engines.md")
+            .contains("**mujoco Euler = bullet multi-body = dart semi-implicit**")
+    );
 }

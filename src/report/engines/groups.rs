@@ -1,57 +1,88 @@
-//! Who makes the same motion: twins, and twins of twins, as one group.
+//! Who makes the same motion. Twins to rounding, and twins of twins, have one rule and are a group. Those that share
+//! digits and no more have rules of the same leading error: they come together as the step falls.
 
 use serde::Serialize;
 
-use crate::record::{Records, Twin};
-
 use super::label;
-use crate::report::number;
+use crate::record::{Records, Twin};
+use crate::report::{number, survey};
 
 /// Programs and schemes with one rule.
 #[derive(Serialize)]
 pub(super) struct Group {
     members: Vec<String>,
-    digits: String,
-    step: String,
     apart: String,
     error: String,
 }
 
-/// The groups of a scene at a step, those of the largest error first.
-pub(super) fn groups(records: &Records, scene: &str, step: f64) -> Vec<Group> {
-    let twins: Vec<&Twin> =
-        records.twins.iter().filter(|twin| twin.scene == scene && twin.step_s == step).collect();
-    let mut groups: Vec<Vec<&Twin>> = Vec::new();
-    for twin in twins {
-        let (joined, others): (Vec<_>, Vec<_>) =
-            groups.into_iter().partition(|group| group.iter().any(|other| shares_one(twin, other)));
-        groups = others;
-        groups.push(joined.into_iter().flatten().chain([twin]).collect());
+/// Two, or two groups, that share digits of their errors.
+#[derive(Serialize)]
+pub(super) struct Alike {
+    one: String,
+    other: String,
+    digits: String,
+}
+
+/// The twins of a scene at one step.
+pub(super) struct Kin<'a> {
+    records: &'a Records,
+    twins: Vec<&'a Twin>,
+    groups: Vec<Vec<&'a str>>,
+}
+
+impl<'a> Kin<'a> {
+    pub(super) fn new(records: &'a Records, scene: &str, step: f64) -> Kin<'a> {
+        let here = |twin: &&Twin| twin.scene == scene && twin.step_s == step;
+        let twins: Vec<&Twin> = records.twins.iter().filter(here).collect();
+        let mut groups: Vec<Vec<&str>> = Vec::new();
+        for twin in twins.iter().filter(|twin| twin.to_rounding) {
+            let pair = [twin.one.as_str(), twin.other.as_str()];
+            let (joined, others): (Vec<_>, Vec<_>) =
+                groups.into_iter().partition(|group| group.iter().any(|name| pair.contains(name)));
+            groups = others;
+            groups.push(survey::distinct(joined.into_iter().flatten().chain(pair)));
+        }
+        Kin { records, twins, groups }
     }
-    groups.sort_by(|a, b| largest(b, |twin| twin.error_rad).total_cmp(&largest(a, |twin| twin.error_rad)));
-    groups.iter().map(|twins| group(records, twins, step)).collect()
-}
 
-fn shares_one(a: &Twin, b: &Twin) -> bool {
-    [&a.one, &a.other].into_iter().any(|name| *name == b.one || *name == b.other)
-}
+    /// The groups of one rule, those of the largest error first.
+    pub(super) fn groups(&self) -> Vec<Group> {
+        let mut groups: Vec<(f64, Group)> = self.groups.iter().map(|group| self.group(group)).collect();
+        groups.sort_by(|a, b| b.0.total_cmp(&a.0));
+        groups.into_iter().map(|(_, group)| group).collect()
+    }
 
-fn largest(twins: &[&Twin], of: fn(&Twin) -> f64) -> f64 {
-    twins.iter().map(|twin| of(twin)).fold(0.0, f64::max)
-}
+    fn group(&self, group: &[&str]) -> (f64, Group) {
+        let within = |twin: &&&Twin| twin.to_rounding && group.contains(&twin.one.as_str());
+        let largest =
+            |of: fn(&Twin) -> f64| self.twins.iter().filter(within).map(|twin| of(twin)).fold(0.0, f64::max);
+        let (apart, error) = (largest(|twin| twin.apart_rad), largest(|twin| twin.error_rad));
+        let told = |angle| number::joined(&number::significant(angle, 2), "rad");
+        let members = group.iter().map(|name| label(self.records, name)).collect();
+        let error_told = number::quantity(Some(error), None, "rad");
+        (error, Group { members, apart: told(apart), error: error_told })
+    }
 
-fn group(records: &Records, twins: &[&Twin], step: f64) -> Group {
-    let names = twins.iter().flat_map(|twin| [twin.one.as_str(), twin.other.as_str()]);
-    let digits = twins.iter().map(|twin| twin.digits).fold(f64::INFINITY, f64::min);
-    Group {
-        members: super::survey::distinct(names).into_iter().map(|name| label(records, name)).collect(),
-        digits: match twins.iter().all(|twin| twin.to_rounding) {
-            true => "to rounding".to_owned(),
-            false => format!("to {}", number::counted(digits.floor() as usize, "digit")),
-        },
-        step: number::setting(step),
-        apart: number::quantity(Some(largest(twins, |twin| twin.apart_rad)), None, "rad"),
-        error: number::quantity(Some(largest(twins, |twin| twin.error_rad)), None, "rad"),
+    /// Pairs that share digits and have not one rule; a group is told of by its first member.
+    pub(super) fn alike(&self) -> Vec<Alike> {
+        let first =
+            |name: &'a str| self.groups.iter().find(|group| group.contains(&name)).map_or(name, |g| g[0]);
+        let mut pairs: Vec<(&str, &str, f64)> = Vec::new();
+        for twin in self.twins.iter().filter(|twin| !twin.to_rounding) {
+            let (one, other) = (first(&twin.one), first(&twin.other));
+            let same =
+                |pair: &&mut (&str, &str, f64)| [(one, other), (other, one)].contains(&(pair.0, pair.1));
+            match pairs.iter_mut().find(same) {
+                Some(pair) => pair.2 = pair.2.min(twin.digits),
+                None => pairs.push((one, other, twin.digits)),
+            }
+        }
+        let told = |(one, other, digits): (&str, &str, f64)| Alike {
+            one: label(self.records, one),
+            other: label(self.records, other),
+            digits: number::counted(digits.floor() as usize, "digit"),
+        };
+        pairs.into_iter().map(told).collect()
     }
 }
 
@@ -60,7 +91,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn twins_of_twins_are_one_group_and_others_another() {
+    fn twins_to_rounding_are_groups_and_others_are_alike() {
         let twin = |one: &str, other: &str, digits, error| Twin {
             scene: "s".to_owned(),
             step_s: 0.1,
@@ -72,18 +103,35 @@ mod tests {
             to_rounding: digits > 9.0,
         };
         let twins = vec![
-            twin("a", "b", 4.5, 0.1),
+            twin("a", "b", 12.0, 0.1),
             twin("c", "d", 12.0, 0.2),
-            twin("e", "f", 3.5, 0.1),
-            twin("b", "f", 5.0, 0.1),
+            twin("e", "f", 13.0, 0.1),
+            twin("b", "f", 11.0, 0.1),
+            twin("c", "a", 3.5, 0.2),
+            twin("e", "d", 3.2, 0.2),
+            twin("x", "y", 4.9, 0.2),
         ];
         let records = Records { twins, ..Records::default() };
-        let found = groups(&records, "s", 0.1);
-        assert_eq!(found.len(), 2);
-        assert_eq!((found[0].members.join(" "), found[0].digits.as_str()), ("c d".to_owned(), "to rounding"));
-        let mut second = found[1].members.clone();
-        second.sort();
-        assert_eq!((second.join(" "), found[1].digits.as_str()), ("a b e f".to_owned(), "to 3 digits"));
-        assert!(groups(&records, "s", 0.2).is_empty() && groups(&records, "t", 0.1).is_empty());
+        let kin = Kin::new(&records, "s", 0.1);
+        let members: Vec<String> = kin
+            .groups()
+            .into_iter()
+            .map(|mut group| {
+                group.members.sort();
+                group.members.join(" ")
+            })
+            .collect();
+        assert_eq!(members, ["c d", "a b e f"]);
+        let alike: Vec<(String, String)> = kin
+            .alike()
+            .into_iter()
+            .map(|pair| (format!("{} {}", pair.one, pair.other), pair.digits))
+            .collect();
+        assert_eq!(alike.len(), 2, "{alike:?}");
+        assert!(alike[0].0.contains('c') && alike[0].1 == "3 digits", "{alike:?}");
+        assert_eq!(alike[1], ("x y".to_owned(), "4 digits".to_owned()));
+        for other in [Kin::new(&records, "s", 0.2), Kin::new(&records, "t", 0.1)] {
+            assert!(other.groups().is_empty() && other.alike().is_empty());
+        }
     }
 }

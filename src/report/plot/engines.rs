@@ -14,7 +14,11 @@ use super::panel::{self, Frame, Panel};
 use super::sketch::{Place, Sketch};
 
 const WIDTH: f64 = 2600.0;
-const HEIGHT: f64 = 1760.0;
+/// Height of the panels at the least, and of a label in them.
+const PANELS: f64 = 1200.0;
+const LEADING: f64 = 40.0;
+/// Below the panels: numbers and titles of the axes.
+const FOOT: f64 = 150.0;
 const TOP: f64 = 150.0;
 const MARGIN: f64 = 30.0;
 /// Letters of a label at the most.
@@ -41,20 +45,21 @@ pub(super) fn sketch(records: &Records, scene: &str) -> Option<Sketch> {
     }
     let title = survey::title(records, scene);
     let quantity = survey::quantity_words(ranking::quantity(records, scene));
-    let mut sketch =
-        Sketch::new(WIDTH, HEIGHT, format!("{title}: foreign engines, error against step and cost"));
-    let subtitle = format!("{scene} · engines beside our schemes (grey): error of the {quantity} at the end");
-    panel::headline(&mut sketch, title, &subtitle);
     let entries = entries(&lines, &palette);
     let room = WIDTH - 2.0 * MARGIN - 20.0;
-    let strip = legend::height(&entries, room);
-    let all = Frame { left: MARGIN, top: TOP, right: WIDTH - MARGIN, bottom: HEIGHT - strip - 2.0 * MARGIN };
+    let bottom = TOP + FOOT + PANELS.max(LEADING * lines.len() as f64);
+    let height = bottom + legend::height(&entries, room) + 2.0 * MARGIN;
+    let mut sketch =
+        Sketch::new(WIDTH, height, format!("{title}: foreign engines, error against step and cost"));
+    let subtitle = format!("{scene} · engines beside our schemes (grey): error of the {quantity} at the end");
+    panel::headline(&mut sketch, title, &subtitle);
+    let all = Frame { left: MARGIN, top: TOP, right: WIDTH - MARGIN, bottom };
     let merged = merged(records, scene, &lines);
     draw(&mut sketch, &lines, &merged, all.cell((2, 1), 0), "step h [s]", |point| point.0);
     let words = "nanoseconds a simulated second (this machine)";
     let each: Vec<Option<String>> = lines.iter().map(|line| Some(line.words.clone())).collect();
     draw(&mut sketch, &lines, &each, all.cell((2, 1), 1), words, |point| point.1);
-    legend::draw(&mut sketch, &entries, MARGIN + 20.0, HEIGHT - strip - MARGIN, room);
+    legend::draw(&mut sketch, &entries, MARGIN + 20.0, bottom + MARGIN, room);
     Some(sketch)
 }
 
@@ -107,7 +112,10 @@ fn merged(records: &Records, scene: &str, lines: &[Line]) -> Vec<Option<String>>
     let twins = |a: &Line, b: &Line| {
         here().any(|twin| {
             let pair = [twin.one.as_str(), twin.other.as_str()];
-            twin.step_s == coarsest && pair.contains(&a.scheme) && pair.contains(&b.scheme)
+            twin.step_s == coarsest
+                && twin.to_rounding
+                && pair.contains(&a.scheme)
+                && pair.contains(&b.scheme)
         })
     };
     let first =

@@ -4,7 +4,7 @@
 //! ```sh
 //! cargo build --release --locked --manifest-path references/engines/rapier-f64/Cargo.toml \
 //!     --target-dir target/rapier-f64
-//! polhode engine check "target/rapier-f64/release/rapier-f64 4-substeps"
+//! polhode engine check "target/rapier-f64/release/rapier-f64 f64-4-substeps"
 //! ```
 
 use std::io::{BufRead, Write};
@@ -122,7 +122,7 @@ fn run(request: &Request, substeps: usize) -> Result<Value, String> {
     Ok(json!({"states": states, "elapsed_ns": spent, "evaluations": substeps as u64 * request.steps}))
 }
 
-fn answer(line: &str, substeps: usize) -> Option<Value> {
+fn answer(line: &str, scheme: &str, substeps: usize) -> Option<Value> {
     let asked: Value = serde_json::from_str(line).unwrap_or_default();
     match asked["ask"].as_str() {
         Some("bye") => None,
@@ -136,21 +136,21 @@ fn answer(line: &str, substeps: usize) -> Option<Value> {
             Some(answer)
         }
         _ => Some(json!({
-            "polhode": 1, "name": "rapier-f64", "version": VERSION, "scheme": format!("{substeps}-substeps"),
+            "polhode": 1, "name": "rapier", "version": VERSION, "scheme": scheme,
             "order": 1, "forces": ["gravity"], "precision": "double",
         })),
     }
 }
 
 fn main() -> std::io::Result<()> {
-    let asked = std::env::args().nth(1).unwrap_or("4-substeps".to_owned());
-    let Some(substeps) = asked.split('-').next().and_then(|count| count.parse().ok()).filter(|n| *n > 0)
+    let asked = std::env::args().nth(1).unwrap_or("f64-4-substeps".to_owned());
+    let Some(substeps) = asked.split('-').nth(1).and_then(|count| count.parse().ok()).filter(|n| *n > 0)
     else {
-        eprintln!("rapier-f64 has no scheme '{asked}': write 4-substeps, or another number");
+        eprintln!("rapier-f64 has no scheme '{asked}': write f64-4-substeps, or another number");
         std::process::exit(64);
     };
     for line in std::io::stdin().lock().lines() {
-        let Some(answer) = answer(&line?, substeps) else { break };
+        let Some(answer) = answer(&line?, &asked, substeps) else { break };
         println!("{answer}");
         std::io::stdout().flush()?;
     }
