@@ -49,21 +49,25 @@ const YOSHIDA: f64 = 1.351_207_191_959_657_8;
 /// How the scheme of this name acts, where that is simple enough to be derived by hand.
 pub fn amplification(scheme: &str) -> Option<Amplification> {
     Some(match scheme {
-        "euler" => Amplification::RungeKutta(1),
-        "peskin-rk2" | "peskin-heun" | "peskin-ralston" | "peskin-trapezoid" | "peskin-cayley" => {
+        "euler" | "euler-linear" | "course-code-euler" => Amplification::RungeKutta(1),
+        "peskin-rk2" | "peskin-heun" | "peskin-ralston" | "peskin-cayley" | "rk2-linear" => {
             Amplification::RungeKutta(2)
         }
         "peskin-rk3" | "crouch-grossman-3" => Amplification::RungeKutta(3),
         "peskin-rk4" | "rkmk4" | "rk4-quaternion" | "rk4-matrix" => Amplification::RungeKutta(4),
-        "course-notes-euler" => Amplification::SymplecticEuler,
+        "course-notes-euler"
+        | "semi-implicit-euler-no-gyro"
+        | "semi-implicit-euler-explicit-gyro"
+        | "semi-implicit-euler-implicit-gyro"
+        | "momentum-clamped-euler" => Amplification::SymplecticEuler,
         "substepped-4-euler" => Amplification::Substeps(4),
         "adams-bashforth-2" => Amplification::AdamsBashforth(2),
         "adams-bashforth-3" | "adams-bashforth-3-cold" => Amplification::AdamsBashforth(3),
         "adams-bashforth-4" | "adams-bashforth-4-cold" => Amplification::AdamsBashforth(4),
         "implicit-midpoint" => Amplification::MidpointByIteration,
         "strang-rotations" | "strang-symmetric" | "exact-rotor" | "no-squish" | "rattle"
-        | "moser-veselov" | "moser-veselov-4" | "moser-veselov-6" | "moser-veselov-8"
-        | "moser-veselov-10" => Amplification::Leapfrog(&[1.0]),
+        | "omelyan-leapfrog" | "moser-veselov" | "moser-veselov-4" | "moser-veselov-6"
+        | "moser-veselov-8" | "moser-veselov-10" => Amplification::Leapfrog(&[1.0]),
         "yoshida-4" => Amplification::Leapfrog(&[YOSHIDA, 1.0 - 2.0 * YOSHIDA, YOSHIDA]),
         "suzuki-4" => Amplification::Leapfrog(&[SUZUKI, SUZUKI, 1.0 - 4.0 * SUZUKI, SUZUKI, SUZUKI]),
         _ => return None,
@@ -318,13 +322,19 @@ mod tests {
     }
 
     #[test]
-    fn the_best_damping_of_the_note_s_scheme_is_sixty_two_hundredths_at_a_step_of_2_135() {
-        // NUMERICS: best a = 2.135 at ζ = 0.62, given to as many digits.
+    fn the_note_s_scheme_bears_the_largest_step_at_the_damping_that_its_condition_says() {
+        // The left side of (2) is least in ζ at ζ = (a² + 2)/(4a), where it is zero for 2a⁴ = (a² + 2)²: a² = 2/(√2 − 1). The point
+        // a = 2.135, ζ = 0.62 lies on the curve, before its end.
+        let tip = (2.0 / (2f64.sqrt() - 1.0)).sqrt();
+        let damping = (tip * tip + 2.0) / (4.0 * tip);
+        assert!(peskin_condition(tip, damping).abs() < 1e-12);
+        assert!((tip - 2.1974).abs() < 1e-4 && (damping - 0.7769).abs() < 1e-4);
+        assert!((Amplification::RungeKutta(2).limit(0.62, 0.0).expect("damped") - 2.135).abs() < 2e-3);
         let best = (300..=900)
             .map(|n| f64::from(n) / 1000.0)
             .map(|zeta| (Amplification::RungeKutta(2).limit(zeta, 0.0).expect("damped"), zeta))
             .fold((0.0, 0.0), |best, now| if now.0 > best.0 { now } else { best });
-        assert!((best.0 - 2.135).abs() < 0.001 && (best.1 - 0.62).abs() < 0.01, "{best:?}");
+        assert!((best.0 - tip).abs() < 1e-4 && (best.1 - damping).abs() < 0.01, "{best:?}");
     }
 
     #[test]

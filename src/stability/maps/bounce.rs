@@ -14,8 +14,8 @@ const HIGHEST: f64 = 5.0;
 
 pub(super) fn map(contestant: &Contestant, cells: usize) -> Option<Map> {
     contestant.refusal(&drop_from(0.4, STIFFNESS, 0.0)?).is_none().then_some(())?;
-    let x = linear("height of the drop", "m", 0.40, 0.45);
-    let y = logarithmic("step h", "s", 1e-3, 8e-3);
+    let x = linear("height of the drop", "m", 0.40, 0.41);
+    let y = logarithmic("step h", "s", 2e-3, 8e-3);
     let mut map = Grid { x, y, cells }.fill(|step, heights| {
         let steps = (kink::DURATION / step).ceil() as u64;
         let systems: Vec<System> =
@@ -24,9 +24,7 @@ pub(super) fn map(contestant: &Contestant, cells: usize) -> Option<Map> {
         (orders.into_iter().map(|order| order.map(|order| order.clamp(0.0, HIGHEST))).collect(), taken)
     });
     map.title = "Bounce: the order across a kink".to_owned();
-    map.what = format!(
-        "order between halvings of h of the place after one bounce, ground of {STIFFNESS} N/m without damper"
-    );
+    map.what = format!("order between halvings of h of the place after a bounce, {STIFFNESS} N/m, no damper");
     map.edge = Some(f64::from(contestant.card.order()));
     Some(map)
 }
