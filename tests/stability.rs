@@ -57,9 +57,10 @@ fn without_damping_the_note_s_scheme_grows_by_an_eighth_of_the_fourth_power() {
         let stability::Growth::Rate(rate) = bench.growth(&scheme("peskin-rk2"), a, 2000) else {
             panic!("the run broke");
         };
-        // |R|² = 1 + a⁴/4, so ln|R| = a⁴/8 to a relative a⁴/8; the windows of the maxima add 2 %.
+        // |R|² = 1 + a⁴/4, so ln|R| = a⁴/8 to a relative a⁴/8. A fifth of the energy at the start is in the slow mode and does not
+        // grow: to grow by 1e4 the rest takes ln 1.25 / ln 1e4 = 2.4 % longer.
         let law = a.powi(4) / 8.0;
-        assert!((rate / law - 1.0).abs() < 0.03, "a = {a}: {rate} against {law}");
+        assert!((rate / law - 1.0).abs() < 0.04, "a = {a}: {rate} against {law}");
     }
 }
 
@@ -105,11 +106,11 @@ fn failures_are_classed_by_what_goes_wrong() {
     // NUMERICS: Euler-only ends in the spin of least inertia; an implicit gyroscopic term ends in that of the largest.
     assert_eq!(class("free-asymmetric", "euler", 8), "settles on the smallest axis");
     assert_eq!(
-        class("mujoco-middle-axis", "semi-implicit-euler-implicit-gyro", 16),
+        class("free-asymmetric", "semi-implicit-euler-implicit-gyro", 8),
         "settles on the largest axis"
     );
     assert_eq!(class("free-asymmetric", "euler-linear", 64), "loses rigidity");
-    assert_eq!(class("dzhanibekov", "euler", 400), "wrong flips");
+    assert_eq!(class("dzhanibekov", "peskin-rk2", 220), "wrong flips");
     assert_eq!(class("heavy-asymmetric-top", "moser-veselov", 6), "implicit solve fails");
     assert_eq!(class("tether-springs", "euler", 100), "energy grows");
     assert_eq!(class("kovalevskaya", "peskin-rk2", 4096), "none");
@@ -190,8 +191,8 @@ fn a_top_sleeps_from_the_spin_of_theory_on_and_a_wobble_grows_as_theory_says() {
     assert!(at(0.6) > 1.0 && at(1.4) < 0.7, "{} {}", at(0.6), at(1.4));
     let middle = stability::map("middle-axis", &scheme("peskin-rk2"), 24).expect("a map");
     // At 0.03 rad a step and halfway between the other moments the scheme's own growth is nothing to λ.
-    let ratio = middle.values[12][1].expect("a rate");
-    assert!((ratio - 1.0).abs() < 0.02, "{ratio}");
+    let off = middle.values[12][1].expect("a rate");
+    assert!(off < -2.0, "log₁₀ of the deviation from λ: {off}");
 }
 
 #[test]
