@@ -117,6 +117,31 @@ fn failures_are_classed_by_what_goes_wrong() {
 }
 
 #[test]
+fn a_body_that_comes_to_rest_elsewhere_is_told_apart_from_one_that_is_late() {
+    let text = r#"
+name = "dragged-to-rest"
+duration = 12.0
+[body]
+points = [
+  { mass = 1.0, position = [1.0, 0.0, 0.0] },
+  { mass = 1.0, position = [-0.5, 0.75, 0.0] },
+  { mass = 1.0, position = [0.0, -0.5, 0.5] },
+  { mass = 1.0, position = [-0.25, 0.0, -1.0] },
+]
+[initial]
+angular_velocity = [2.0, 6.0, -4.0]
+[[forces]]
+law = "drag"
+coefficient = 1.0
+"#;
+    let truth = Truth::of(&Scene::parse(text, "test").expect("a scene")).expect("solvable");
+    assert!(truth.at_rest);
+    let failure = attempt(&scheme("euler"), &truth, 96).failure.expect("far too large a step");
+    assert!(matches!(failure, Failure::WrongEquilibrium { angle } if angle > 0.1), "{failure:?}");
+    assert_eq!(attempt(&scheme("rk4-quaternion"), &truth, 4096).failure, None);
+}
+
+#[test]
 fn flips_are_held_against_their_exact_times() {
     // NUMERICS: flips of the tumbling body at 9.956, 29.103 and 48.249 s.
     let truth = truth("dzhanibekov");
@@ -269,4 +294,37 @@ fn the_natural_frequency_of_a_spring_is_that_of_its_stiffest_mode() {
     let omega = theory::natural_frequency(&scene.system).expect("a spring");
     assert!((omega - (1024.0 * stiffest).sqrt()).abs() < 1e-9 * omega, "{omega}");
     assert!(theory::natural_frequency(&Scene::find("free-asymmetric").expect("built in").system).is_none());
+}
+
+#[test]
+fn the_command_writes_records_a_page_and_pictures() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let output = std::process::Command::new(env!("CARGO_BIN_EXE_polhode"))
+        .args([
+            "stability",
+            "--quiet",
+            "--scheme",
+            "peskin-rk2",
+            "--scene",
+            "free-oblate",
+            "--scene",
+            "gravity-drag",
+        ])
+        .args(["--cells", "8", "--long", "2000", "--out"])
+        .arg(folder.path())
+        .output()
+        .expect("it runs");
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let table = String::from_utf8(output.stdout).expect("text");
+    assert!(table.contains("free-oblate") && table.contains("h·ω"), "{table}");
+    let study = Stability::read(&folder.path().join("stability.json")).expect("a study");
+    assert!(study.complete && study.limits.len() == 6 && study.maps.len() == stability::MAP_NAMES.len());
+    for map in &study.maps {
+        assert_eq!((map.values.len(), map.values[0].len()), (8, 8), "{}", map.name);
+        let picture = folder.path().join("maps").join(format!("{}-peskin-rk2.png", map.name));
+        assert!(picture.is_file(), "{}", picture.display());
+    }
+    for file in ["stability.md", "limits.png", "long-runs.png", "energy-law.png"] {
+        assert!(folder.path().join(file).is_file(), "{file}");
+    }
 }

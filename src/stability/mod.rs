@@ -7,7 +7,7 @@
 //! | `trial` | one run, judged |
 //! | `search` | the largest usable step |
 //! | `bench` | the spring-held body at rest: linear stability, measured |
-//! | `theory` | linear stability, computed; laws of energy, of sleeping and of flipping |
+//! | `theory`, `amplification` | linear stability, computed; laws of energy, of sleeping and of flipping |
 //! | `maps` | heat maps over two parameters |
 //! | `long_run` | runs of very many steps |
 //! | `kink` | the order across a bounce |
@@ -15,6 +15,7 @@
 //!
 //! A run that fails is a row or a cell like any other: nothing here ends because a scheme does.
 
+mod amplification;
 mod bench;
 mod fails_where;
 mod failure;

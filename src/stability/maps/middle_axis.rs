@@ -47,7 +47,7 @@ impl Wobble {
 
 pub(super) fn map(contestant: &Contestant, cells: usize) -> Option<Map> {
     let moments = |part: f64| [SMALLEST, SMALLEST + (1.0 - SMALLEST) * part, 1.0];
-    let system = |part: f64| spinning(Vector3::from(moments(part)), Vector3::new(WOBBLE, 1.0, WOBBLE));
+    let system = |part: f64| spinning(Vector3::from(moments(part)), Vector3::new(WOBBLE, 1.0, -WOBBLE));
     contestant.refusal(&system(0.5)?).is_none().then_some(())?;
     let x = logarithmic("step |Ω|h", "rad", 0.02, std::f64::consts::PI);
     let y = linear("(I₂ − I₁)/(I₃ − I₁) at I₁/I₃ = 0.6", "1", 0.0, 1.0);

@@ -40,7 +40,8 @@ pub(super) fn map(contestant: &Contestant, cells: usize) -> Option<Map> {
         map.curves.push(curve("1 % by the h³ law", &map, law));
         // A step errs by (|Ω|h)³ in where L points in the body, which is (|Ω|h)³ I₃/I₁ of the small part of L along the thin axis.
         // The power is that; the factor ¼ is read off the map.
-        map.curves.push(curve("(|Ω|h)³ = I₁/4I₃", &map, |thin| Some((thin / 4.0).cbrt())));
+        map.curves
+            .push(curve("(|Ω|h)³ = I₁/4I₃, the 4 fitted", &map, |thin| Some((thin / 4.0).cbrt())));
     }
     Some(map)
 }
