@@ -103,7 +103,7 @@ fn failures_are_classed_by_what_goes_wrong() {
     let class = |scene: &str, name: &str, steps| {
         attempt(&scheme(name), &truth(scene), steps).failure.map_or("none", |failure| failure.class())
     };
-    // NUMERICS: Euler-only ends in the spin of least inertia; an implicit gyroscopic term ends in that of the largest.
+    // NUMERICS: Euler-only ends in the spin of least inertia; Heun's rule, with corrected positions, in that of the largest.
     assert_eq!(class("free-asymmetric", "euler", 8), "settles on the smallest axis");
     assert_eq!(
         class("free-asymmetric", "semi-implicit-euler-implicit-gyro", 8),

@@ -2,6 +2,7 @@
 //! more stable than its record is as much of a change as one that has become less.
 
 use super::{Case, ruled};
+use crate::record::stability::LinearLimit;
 use crate::record::{Ruling, Verdict};
 
 /// How far a limit may be from the one on record, relative.
