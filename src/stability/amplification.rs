@@ -107,7 +107,10 @@ impl Amplification {
     /// The largest a = ωh up to which no step grows by more than `allowed` (relative), found by bisection after a scan; `None`
     /// where the smallest a tried, 1e-3, already does.
     pub fn limit(self, zeta: f64, allowed: f64) -> Option<f64> {
-        let grows = |a: f64| !(self.growth(a, zeta) <= 1.0 + allowed);
+        let grows = |a: f64| {
+            let growth = self.growth(a, zeta);
+            growth.is_nan() || growth > 1.0 + allowed
+        };
         let mut low = 1e-3;
         if grows(low) {
             return None;

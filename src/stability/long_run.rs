@@ -78,7 +78,8 @@ struct Samples {
 impl Samples {
     fn push(&mut self, state: &Snapshot) {
         let n = (state.time / self.step).round();
-        if n < self.next || !(n > self.at_step.last().map_or(0.0, |last| *last as f64)) {
+        let last = self.at_step.last().map_or(0.0, |last| *last as f64);
+        if n < self.next || n <= last {
             return;
         }
         let energy = 0.5 * state.angular_velocity.dot(&state.angular_momentum);

@@ -47,7 +47,7 @@ fn limits(study: &Stability) -> Option<Sketch> {
     let subtitle = "left: linear stability of the spring-held body, h·ω; right: radians a step within 0.1 rad, within 1 % of energy, and bounded";
     panel::headline(&mut sketch, "Largest usable steps", subtitle);
     let bottom = height - 190.0;
-    let names = 430.0;
+    let names = 530.0;
     let scenes = survey::distinct(study.limits.iter().map(|row| row.scene.as_str()));
     let shown: Vec<&str> = SHOWN.into_iter().filter(|scene| scenes.contains(scene)).collect();
     let width = (2600.0 - names - MARGIN) / (shown.len() + 1) as f64;
