@@ -77,24 +77,8 @@ impl Study<'_> {
         let done = AtomicUsize::new(0);
         let tick = || (self.progress)(done.fetch_add(1, Ordering::Relaxed) + 1, all);
         let limits = self.limits(&tick);
-        let linear: Vec<LinearLimit> = self
-            .contestants
-            .par_iter()
-            .filter_map(|contestant| {
-                let row = linear_limit(contestant);
-                tick();
-                row
-            })
-            .collect();
-        let fails_where = self
-            .contestants
-            .iter()
-            .filter_map(|contestant| {
-                let scheme = contestant.card.name;
-                let line = line(scheme, &limits, &linear)?;
-                Some(FailsWhere { scheme: scheme.to_owned(), line })
-            })
-            .collect();
+        let linear = self.linear(&tick);
+        let fails_where = self.lines(&limits, &linear);
         let mut study = Stability {
             schema: SCHEMA.to_owned(),
             polhode: env!("CARGO_PKG_VERSION").to_owned(),
@@ -112,6 +96,23 @@ impl Study<'_> {
         self.run_long(&mut study, &tick);
         study.complete = !interrupt::requested();
         study
+    }
+
+    fn linear(&self, tick: &(dyn Fn() + Sync)) -> Vec<LinearLimit> {
+        let rows = self.contestants.par_iter().filter_map(|contestant| {
+            let row = linear_limit(contestant);
+            tick();
+            row
+        });
+        rows.collect()
+    }
+
+    fn lines(&self, limits: &[Limit], linear: &[LinearLimit]) -> Vec<FailsWhere> {
+        let one = |contestant: &Contestant| {
+            let scheme = contestant.card.name;
+            Some(FailsWhere { scheme: scheme.to_owned(), line: line(scheme, limits, linear)? })
+        };
+        self.contestants.iter().filter_map(one).collect()
     }
 
     fn limits(&self, tick: &(dyn Fn() + Sync)) -> Vec<Limit> {
