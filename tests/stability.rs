@@ -24,7 +24,7 @@ fn bench(stiffness: f64, damping: f64) -> Bench {
 
 #[test]
 fn the_limit_of_the_note_s_scheme_on_a_spring_is_that_of_theory_to_a_percent() {
-    // NUMERICS, Stability: k = 1024 N/m and c = 8, 32, 128 N s/m.
+    // Known from independent runs: k = 1024 N/m and c = 8, 32, 128 N s/m.
     for (damping, known) in [(8.0, 0.03162), (32.0, 0.0537), (128.0, 0.01059)] {
         let bench = bench(1024.0, damping);
         let (limit, _) = bench.limit(&scheme("peskin-rk2"));
@@ -103,7 +103,7 @@ fn failures_are_classed_by_what_goes_wrong() {
     let class = |scene: &str, name: &str, steps| {
         attempt(&scheme(name), &truth(scene), steps).failure.map_or("none", |failure| failure.class())
     };
-    // NUMERICS: Euler-only ends in the spin of least inertia; Heun's rule, with corrected positions, in that of the largest.
+    // Known: Euler-only ends in the spin of least inertia; Heun's rule, with corrected positions, in that of the largest.
     assert_eq!(class("free-asymmetric", "euler", 8), "settles on the smallest axis");
     assert_eq!(class("free-asymmetric", "peskin-heun", 4), "settles on the largest axis");
     assert_eq!(class("free-asymmetric", "euler-linear", 64), "loses rigidity");
@@ -140,7 +140,7 @@ coefficient = 1.0
 
 #[test]
 fn flips_are_held_against_their_exact_times() {
-    // NUMERICS: flips of the tumbling body at 9.956, 29.103 and 48.249 s.
+    // Known: flips of the tumbling body at 9.956, 29.103 and 48.249 s.
     let truth = truth("dzhanibekov");
     let known = [9.95626261124700, 29.1025501809072, 48.2488377505674];
     assert_eq!(truth.flips.len(), known.iter().filter(|time| **time < truth.duration).count());
@@ -223,7 +223,7 @@ fn the_energy_of_a_symmetric_body_grows_as_the_cube_of_the_step() {
     let fine: Vec<_> = rates.iter().filter(|rate| rate.step_s < 0.15).collect();
     assert!(fine.len() >= 3);
     for rate in fine {
-        // NUMERICS: 8.041e-3 h³ for the oblate body, matched to three digits.
+        // Known: 8.041e-3 h³ for the oblate body, matched to three digits.
         assert!((rate.law_w / rate.step_s.powi(3) - 8.041e-3).abs() < 5e-6, "{rate:?}");
         assert!((rate.measured_w / rate.law_w - 1.0).abs() < 0.01, "{rate:?}");
     }

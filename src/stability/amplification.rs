@@ -197,12 +197,12 @@ mod tests {
     #[test]
     fn the_note_s_scheme_bears_the_largest_step_at_the_damping_that_its_condition_says() {
         // The left side of (2) is least in ζ at ζ = (a² + 2)/(4a), where it is zero for 2a⁴ = (a² + 2)²: a² = 2/(√2 − 1). The point
-        // a = 2.135, ζ = 0.62 lies on the curve, before its end.
+        // a = 2.135, ζ = 0.62 was measured: it is on the curve to the 0.3 % that runs agree to, and before its end.
         let tip = (2.0 / (2f64.sqrt() - 1.0)).sqrt();
         let damping = (tip * tip + 2.0) / (4.0 * tip);
         assert!(peskin_condition(tip, damping).abs() < 1e-12);
         assert!((tip - 2.1974).abs() < 1e-4 && (damping - 0.7769).abs() < 1e-4);
-        assert!((Amplification::RungeKutta(2).limit(0.62, 0.0).expect("damped") - 2.135).abs() < 2e-3);
+        assert!((Amplification::RungeKutta(2).limit(0.62, 0.0).expect("damped") / 2.135 - 1.0).abs() < 3e-3);
         let best = (300..=900)
             .map(|n| f64::from(n) / 1000.0)
             .map(|zeta| (Amplification::RungeKutta(2).limit(zeta, 0.0).expect("damped"), zeta))
