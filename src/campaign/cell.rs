@@ -115,7 +115,7 @@ fn claimed_order(contestant: &Contestant, system: &System) -> u32 {
 }
 
 /// A scheme that cannot take the scene: not applicable, with the reason, for every claim.
-fn refused(scene: &Scene, contestant: &Contestant, reason: &str) -> Cell {
+pub(super) fn refused(scene: &Scene, contestant: &Contestant, reason: &str) -> Cell {
     let names = rows::Names {
         scene: &scene.name,
         scheme: contestant.card.name,

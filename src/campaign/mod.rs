@@ -40,7 +40,8 @@ pub struct Campaign<'a> {
 /// A scene with the reference that its runs are compared with.
 struct Prepared<'a> {
     scene: &'a Scene,
-    reference: Result<Reference, ReferenceError>,
+    /// `None` where no claim is judged.
+    reference: Option<Result<Reference, ReferenceError>>,
 }
 
 impl Campaign<'_> {
@@ -74,7 +75,10 @@ impl Campaign<'_> {
     }
 
     fn cell(&self, prepared: &Prepared, contestant: &Contestant) -> Option<cell::Cell> {
-        let reference = prepared.reference.as_ref().ok()?;
+        if let Some(reason) = &prepared.scene.only_for_stability {
+            return Some(cell::refused(prepared.scene, contestant, reason));
+        }
+        let reference = prepared.reference.as_ref()?.as_ref().ok()?;
         Some(cell::measure(prepared.scene, reference, contestant, &self.baseline, self.series))
     }
 
@@ -93,8 +97,12 @@ impl Campaign<'_> {
         for prepared in prepared {
             let own: Vec<_> = cells.by_ref().take(self.contestants.len()).collect();
             let points = own.iter().flatten().next().and_then(|cell| cell.reduction);
-            records.scenes.push(rows::scene(prepared.scene, prepared.reference.as_ref().ok(), points));
-            records.verdicts.push(judge_reference(prepared));
+            records.scenes.push(rows::scene(
+                prepared.scene,
+                prepared.reference.as_ref().and_then(|one| one.as_ref().ok()),
+                points,
+            ));
+            records.verdicts.extend(judge_reference(prepared));
             for cell in own.into_iter().flatten() {
                 records.measurements.extend(cell.measurements);
                 records.orders.extend(cell.orders);
@@ -108,16 +116,19 @@ impl Campaign<'_> {
 }
 
 fn prepare(scene: &Scene) -> Prepared<'_> {
+    if scene.only_for_stability.is_some() {
+        return Prepared { scene, reference: None };
+    }
     let solution = if scene.built_in { stored::find(&scene.name) } else { Ok(None) };
     let reference = solution
         .map_err(ReferenceError::from)
         .and_then(|stored| Reference::of(&scene.system, scene.duration, SAMPLES, stored.as_ref()));
-    Prepared { scene, reference }
+    Prepared { scene, reference: Some(reference) }
 }
 
-fn judge_reference(prepared: &Prepared) -> Verdict {
+fn judge_reference(prepared: &Prepared) -> Option<Verdict> {
     let scene = prepared.scene;
-    match &prepared.reference {
+    Some(match prepared.reference.as_ref()? {
         Ok(reference) => gates::judge_reference(&scene.name, &scene.system, reference),
         Err(error) => Verdict {
             scene: scene.name.clone(),
@@ -128,7 +139,7 @@ fn judge_reference(prepared: &Prepared) -> Verdict {
             detail: format!("no reference solution, so nothing was judged in this scene: {error}"),
             ..Verdict::default()
         },
-    }
+    })
 }
 
 /// The machine that costs are measured on.

@@ -2,6 +2,7 @@
 //! more stable than its record is as much of a change as one that has become less.
 
 use super::{Case, ruled};
+use crate::record::stability::LinearLimit;
 use crate::record::{Ruling, Verdict};
 
 /// How far a limit may be from the one on record, relative.
@@ -9,39 +10,65 @@ const MET: f64 = 0.02;
 
 pub(super) fn judge(case: &Case) -> Option<Verdict> {
     let (stored, measured) = case.step_limit?;
-    let how = |failure: &str| {
-        if failure.starts_with("stable") { String::new() } else { format!(" ({failure} above it)") }
-    };
-    let (verdict, bounds, detail) = match (stored.h_omega, measured.h_omega) {
-        (Some(on_record), Some(now)) => {
-            let holds = (now / on_record - 1.0).abs() <= MET;
-            (
-                if holds { Ruling::Pass } else { Ruling::Fail },
-                Some((on_record * (1.0 - MET), on_record * (1.0 + MET))),
-                format!("stable up to h·ω = {now:.4}{}, {on_record:.4} on record", how(&measured.failure)),
-            )
-        }
-        (None, None) => (
-            if stored.failure == measured.failure { Ruling::Pass } else { Ruling::Fail },
-            None,
-            format!("no limit within the steps tried: {}; on record: {}", measured.failure, stored.failure),
-        ),
-        (on_record, now) => {
-            let words = |limit: Option<f64>, failure: &str| {
-                limit.map_or_else(|| format!("none ({failure})"), |limit| format!("h·ω = {limit:.4}"))
-            };
-            let detail = format!(
-                "limit of stability {}, {} on record",
-                words(now, &measured.failure),
-                words(on_record, &stored.failure)
-            );
-            (Ruling::Fail, None, detail)
-        }
-    };
+    let (verdict, bounds, detail) = rule(stored, measured);
     Some(Verdict {
         measured: measured.h_omega,
         low: bounds.map(|bounds| bounds.0),
         high: bounds.map(|bounds| bounds.1),
         ..ruled(case, "stability", "step-limit", verdict, detail)
     })
+}
+
+/// The ruling, the bounds that the limit must lie in where there is one on record, and the words.
+fn rule(stored: &LinearLimit, measured: &LinearLimit) -> (Ruling, Option<(f64, f64)>, String) {
+    let ruling = |holds: bool| if holds { Ruling::Pass } else { Ruling::Fail };
+    match (stored.h_omega, measured.h_omega) {
+        (Some(on_record), Some(now)) => (
+            // A NaN is within nothing.
+            ruling((now / on_record - 1.0).abs() <= MET),
+            Some((on_record * (1.0 - MET), on_record * (1.0 + MET))),
+            format!("stable up to h·ω = {now:.4} ({} above it), {on_record:.4} on record", measured.failure),
+        ),
+        (None, None) => (
+            ruling(stored.failure == measured.failure),
+            None,
+            format!("no limit within the steps tried: {}; on record: {}", measured.failure, stored.failure),
+        ),
+        _ => (
+            Ruling::Fail,
+            None,
+            format!("limit of stability {}, {} on record", words(measured), words(stored)),
+        ),
+    }
+}
+
+fn words(limit: &LinearLimit) -> String {
+    limit.h_omega.map_or_else(|| format!("none ({})", limit.failure), |limit| format!("h·ω = {limit:.4}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn limit(h_omega: Option<f64>, failure: &str) -> LinearLimit {
+        LinearLimit { h_omega, failure: failure.to_owned(), ..LinearLimit::default() }
+    }
+
+    #[test]
+    fn a_limit_is_met_to_two_percent_both_ways() {
+        let stored = limit(Some(1.25), "energy grows");
+        let at = |now: f64| rule(&stored, &limit(Some(now), "energy grows")).0;
+        assert_eq!([at(1.25), at(1.25 * 1.019), at(1.25 * 0.981)], [Ruling::Pass; 3]);
+        assert_eq!([at(1.25 * 1.021), at(1.25 * 0.979), at(f64::NAN)], [Ruling::Fail; 3]);
+    }
+
+    #[test]
+    fn a_limit_that_has_come_or_gone_fails() {
+        let (some, grows) = (limit(Some(1.25), "energy grows"), limit(None, "energy grows"));
+        let stable = limit(None, "stable at every step tried");
+        assert_eq!(rule(&some, &grows).0, Ruling::Fail);
+        assert_eq!(rule(&stable, &some).0, Ruling::Fail);
+        assert_eq!(rule(&stable, &grows).0, Ruling::Fail);
+        assert_eq!(rule(&stable, &stable).0, Ruling::Pass);
+    }
 }

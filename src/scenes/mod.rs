@@ -26,7 +26,8 @@ use table::Table;
 use value::{Document, Value};
 
 /// The keys at the top of a scene file.
-const KEYS: &[&str] = &["name", "title", "why", "duration", "not_for_order", "body", "initial", "forces"];
+const KEYS: &[&str] =
+    &["name", "title", "why", "duration", "not_for_order", "only_for_stability", "body", "initial", "forces"];
 
 /// A body, the forces on it and its start, with what the report says of them.
 #[derive(Clone, Debug)]
@@ -41,6 +42,8 @@ pub struct Scene {
     pub duration: f64,
     /// Why the order gate does not apply, where it does not.
     pub not_for_order: Option<String>,
+    /// Why no claim is judged here and only `polhode stability` speaks of the scene, where that is so.
+    pub only_for_stability: Option<String>,
     /// Whether it is one of [`FILES`].
     pub built_in: bool,
     /// File that it was read from, as the user named it.
@@ -68,7 +71,8 @@ impl Scene {
             title: whole.optional_text("title")?.unwrap_or(&name).to_string(),
             why: whole.optional_text("why")?.unwrap_or_default().to_string(),
             duration: whole.required("duration")?.positive()?,
-            not_for_order: read_reason(&whole)?,
+            not_for_order: read_reason(&whole, "not_for_order")?,
+            only_for_stability: read_reason(&whole, "only_for_stability")?,
             built_in: false,
             file: file.to_string(),
             system: read_system(&whole)?,
@@ -143,8 +147,8 @@ fn read_name(whole: &Table) -> Result<String, SceneError> {
         .expected("a name in kebab-case, lower-case words and digits joined by '-', 100 letters at most"))
 }
 
-fn read_reason(whole: &Table) -> Result<Option<String>, SceneError> {
-    let Some(value) = whole.get("not_for_order") else { return Ok(None) };
+fn read_reason(whole: &Table, key: &'static str) -> Result<Option<String>, SceneError> {
+    let Some(value) = whole.get(key) else { return Ok(None) };
     match value.text()?.trim() {
         "" => Err(value.expected("the reason in words")),
         reason => Ok(Some(reason.to_string())),

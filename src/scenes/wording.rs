@@ -7,6 +7,7 @@ const EXAMPLES: &[(&str, &str)] = &[
     ("why", "why = \"what this scene shows that others do not\""),
     ("duration", "duration = 10.0"),
     ("not_for_order", "not_for_order = \"the reason\""),
+    ("only_for_stability", "only_for_stability = \"the reason\""),
     ("body", "a table [body] with points, or with mass and inertia"),
     ("initial", "a table [initial]"),
     ("forces", "a table [[forces]] for each law"),

@@ -19,6 +19,8 @@ const DISPLACEMENT: [f64; 3] = [1e-3, 0.3e-3, 0.5e-3];
 /// Energy over its start below which the displacement has died, and what follows is of no interest: implicit schemes, whose
 /// iterations end by relative changes, no longer end them at rest.
 const DIED: f64 = 1e-8;
+/// Energy over its start below which it is dying, if the run breaks then.
+const DYING: f64 = 0.1;
 /// Energy over its start above which it has grown for good: further on the motion is no longer linear.
 const GROWN: f64 = 1e4;
 /// Growth a step that counts as none: a displacement then takes 1e4 steps to grow e-fold.
@@ -67,6 +69,7 @@ pub struct Amplitude {
     before: f64,
     last: f64,
     half: f64,
+    latest: f64,
     seen: u64,
     died: Option<u64>,
     grown: Option<u64>,
@@ -75,7 +78,16 @@ pub struct Amplitude {
 impl Amplitude {
     /// Of a run that ends at `end` [s].
     pub fn new(end: f64) -> Amplitude {
-        Amplitude { first: 0.0, before: 0.0, last: 0.0, half: end / 2.0, seen: 0, died: None, grown: None }
+        Amplitude {
+            first: 0.0,
+            before: 0.0,
+            last: 0.0,
+            half: end / 2.0,
+            latest: 0.0,
+            seen: 0,
+            died: None,
+            grown: None,
+        }
     }
 
     /// Takes the energy after the next step; the first is that of the start.
@@ -90,6 +102,7 @@ impl Amplitude {
             self.grown.get_or_insert(self.seen);
         }
         self.seen += 1;
+        self.latest = energy;
         let window = if time >= self.half {
             &mut self.last
         } else if time >= self.half / 2.0 {
@@ -110,7 +123,14 @@ impl Amplitude {
             return Growth::Rate(GROWN.ln() / (2 * grown.max(1)) as f64);
         }
         if let Some(broken) = &outcome.broken {
-            return Growth::Broke(Failure::of_break(broken.step, &broken.why));
+            let failure = Failure::of_break(broken.step, &broken.why);
+            // An iteration that ends by relative changes cannot end near rest: by then the displacement was dying.
+            return match failure {
+                Failure::SolveFails { .. } if self.latest <= DYING * self.first => {
+                    Growth::Rate((self.latest / self.first).ln() / (2 * self.seen.max(1)) as f64)
+                }
+                failure => Growth::Broke(failure),
+            };
         }
         // The largest of a growing energy stand at the ends of the two windows, half a run apart.
         let rate = (self.last / self.before).ln() / steps as f64;
@@ -218,9 +238,11 @@ impl Bench {
     }
 }
 
-/// Energy of a spring-held body, without a buffer: kinetic, and of the spring.
+/// Energy of the oscillation of the point that is held, ½ (u²/μ + k s²): a slow turn about the anchor, which no spring resists and
+/// no damper stops, is none of it.
 #[derive(Clone, Debug)]
 struct Energy {
+    /// 1/μ [kg].
     mass: f64,
     arm: Vector3<f64>,
     anchor: Vector3<f64>,
@@ -240,13 +262,14 @@ impl Energy {
             };
             (arm, spring.anchor, spring.stiffness)
         });
-        Energy { mass: system.body.mass, arm, anchor, stiffness }
+        let mass = 1.0 / theory::mobilities(system, &arm).max();
+        Energy { mass, arm, anchor, stiffness }
     }
 
     fn at(&self, state: &Snapshot) -> f64 {
-        let stretch = state.position + state.orientation * self.arm - self.anchor;
-        0.5 * (self.mass * state.velocity.norm_squared()
-            + state.angular_velocity.dot(&state.angular_momentum)
-            + self.stiffness * stretch.norm_squared())
+        let arm = state.orientation * self.arm;
+        let stretch = state.position + arm - self.anchor;
+        let velocity = state.velocity + state.angular_velocity.cross(&arm);
+        0.5 * (self.mass * velocity.norm_squared() + self.stiffness * stretch.norm_squared())
     }
 }

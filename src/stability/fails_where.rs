@@ -31,7 +31,7 @@ fn spring(row: &LinearLimit) -> String {
         "spring-held body, undamped".to_owned()
     };
     match row.h_omega {
-        Some(limit) => format!("{body}: from h·ω = {limit:.3} on ({})", row.failure),
+        Some(limit) => format!("{body}: above h·ω = {limit:.3} ({})", row.failure),
         None if row.failure.starts_with("stable") => format!("{body}: at no step tried"),
         None => format!("{body}: at every step ({})", row.failure),
     }
@@ -44,14 +44,16 @@ fn edges(rows: &[&Limit]) -> String {
         return "at no step tried".to_owned();
     }
     let edge = |row: &&Limit| match (row.status.as_str(), row.radians_per_step) {
-        ("limit", Some(radians)) => Some(format!("{} from {} on", what(&row.meaning), digits(radians))),
+        ("limit", Some(radians)) => Some(format!("{} above {}", what(&row.meaning), digits(radians))),
         ("none", _) => Some(format!("{} at every step", what(&row.meaning))),
         _ => None,
     };
     let words: Vec<String> = rows.iter().filter_map(edge).collect();
     let first = rows.iter().min_by(|a, b| a.edge().total_cmp(&b.edge()));
     let how = first.and_then(|row| row.failure.as_deref()).unwrap_or("unknown");
-    format!("{} rad a step ({how})", words.join(", "))
+    // The unit stands after the last number.
+    let unit = if words.last().is_some_and(|last| last.ends_with("step")) { "" } else { " rad a step" };
+    format!("{}{unit} ({how})", words.join(", "))
 }
 
 fn what(meaning: &str) -> &'static str {

@@ -21,12 +21,14 @@ const SCENE: &str = "bouncing-body";
 const DROPS: usize = 64;
 /// Duration of a drop with one bounce [s].
 pub(super) const DURATION: f64 = 0.5;
+/// Spin of the dropped body [rad/s].
+const SPIN: Vector3<f64> = Vector3::new(1.0, 3.0, -2.0);
 /// Steps of the coarsest of three runs.
 const STEPS: u64 = 512;
 
-/// The body of the bouncing scene, dropped from a height of its centre [m] on a ground of this stiffness [N/m] and damping
-/// [N s/m].
-pub(super) fn drop_from(height: f64, stiffness: f64, damping: f64) -> Option<System> {
+/// The body of the bouncing scene, dropped from a height of its centre [m] with this spin [rad/s] on a ground of this stiffness [N/m]
+/// and damping [N s/m].
+pub(super) fn drop_from(height: f64, spin: Vector3<f64>, stiffness: f64, damping: f64) -> Option<System> {
     let scene = Scene::find(SCENE).ok()?;
     let laws = vec![
         Law::Gravity(Gravity { acceleration: Vector3::new(0.0, 0.0, -9.81) }),
@@ -39,21 +41,29 @@ pub(super) fn drop_from(height: f64, stiffness: f64, damping: f64) -> Option<Sys
             slip_velocity: 1.0,
         }),
     ];
-    let spin = Spin::Velocity(Vector3::new(1.0, 3.0, -2.0));
+    let spin = Spin::Velocity(spin);
     let position = Vector3::new(0.0, 0.0, height);
     System::new(scene.system.body, laws, position, Rotation::identity(), Vector3::zeros(), spin).ok()
 }
 
-/// Orders of a scheme across a bounce for many systems, each with its coarsest number of steps; `None` where a run broke or a
-/// difference vanished. Second of each pair: the steps that were taken.
-pub(super) fn orders(contestant: &Contestant, systems: &[System], steps: &[u64]) -> (Vec<Option<f64>>, u64) {
-    let members = systems.iter().zip(steps).flat_map(|(system, steps)| {
+/// Height of the centre over the lowest point of that body, as it is dropped [m].
+pub(super) fn clearance() -> Option<f64> {
+    let body = Scene::find(SCENE).ok()?.system.body;
+    Some(-body.points.iter().map(|point| point.position.z).fold(f64::INFINITY, f64::min))
+}
+
+/// Orders of a scheme across a bounce for many systems, from so many coarsest steps of this length [s]; `None` where a run broke or
+/// a difference vanished. Second: the steps that were taken.
+pub(super) fn orders(
+    contestant: &Contestant,
+    systems: &[System],
+    step: f64,
+    steps: u64,
+) -> (Vec<Option<f64>>, u64) {
+    let members = systems.iter().flat_map(|system| {
         [1, 2, 4].map(|times| {
-            let steps = steps * times;
-            Member {
-                system: system.clone(),
-                plan: Plan { step: DURATION / steps as f64, steps, every: steps },
-            }
+            let plan = Plan { step: step / times as f64, steps: steps * times, every: steps * times };
+            Member { system: system.clone(), plan }
         })
     });
     let ensemble = Ensemble::new(contestant, members.collect());
@@ -82,11 +92,12 @@ pub fn kink_orders(contestants: &[Contestant]) -> Vec<KinkOrder> {
 
 fn median_order(contestant: &Contestant, damping: f64) -> Option<f64> {
     let height = |n: usize| 0.4 + 0.05 * n as f64 / DROPS as f64;
-    let systems: Vec<System> = (0..DROPS).filter_map(|n| drop_from(height(n), 2000.0, damping)).collect();
+    let systems: Vec<System> =
+        (0..DROPS).filter_map(|n| drop_from(height(n), SPIN, 2000.0, damping)).collect();
     if systems.iter().any(|system| contestant.refusal(system).is_some()) {
         return None;
     }
-    let (orders, _) = orders(contestant, &systems, &[STEPS; DROPS]);
+    let (orders, _) = orders(contestant, &systems, DURATION / STEPS as f64, STEPS);
     median(orders.into_iter().flatten().collect())
 }
 

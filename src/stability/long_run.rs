@@ -78,7 +78,8 @@ struct Samples {
 impl Samples {
     fn push(&mut self, state: &Snapshot) {
         let n = (state.time / self.step).round();
-        if n < self.next || !(n > self.at_step.last().map_or(0.0, |last| *last as f64)) {
+        let last = self.at_step.last().map_or(0.0, |last| *last as f64);
+        if n < self.next || n <= last {
             return;
         }
         let energy = 0.5 * state.angular_velocity.dot(&state.angular_momentum);
@@ -112,10 +113,13 @@ fn class(samples: &Samples, power: Option<f64>, broken: bool) -> &'static str {
         _ if broken => "broken",
         _ if largest > SATURATED => "saturated",
         Some(power) if power < 0.2 => "bounded",
-        Some(power) if largest <= 16.0 * ROUNDING_A_STEP * steps.sqrt().max(64.0) && power < 0.75 => {
-            "rounding-like-root"
+        Some(power) if largest <= ROUNDING_A_STEP * steps.max(64.0) => {
+            if power < 0.75 {
+                "rounding-like-root"
+            } else {
+                "rounding-like-n"
+            }
         }
-        Some(_) if largest <= ROUNDING_A_STEP * steps.max(64.0) => "rounding-like-n",
         _ => "secular",
     }
 }

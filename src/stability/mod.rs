@@ -7,7 +7,7 @@
 //! | `trial` | one run, judged |
 //! | `search` | the largest usable step |
 //! | `bench` | the spring-held body at rest: linear stability, measured |
-//! | `theory` | linear stability, computed; laws of energy, of sleeping and of flipping |
+//! | `theory`, `amplification` | linear stability, computed; laws of energy, of sleeping and of flipping |
 //! | `maps` | heat maps over two parameters |
 //! | `long_run` | runs of very many steps |
 //! | `kink` | the order across a bounce |
@@ -15,6 +15,7 @@
 //!
 //! A run that fails is a row or a cell like any other: nothing here ends because a scheme does.
 
+mod amplification;
 mod bench;
 mod fails_where;
 mod failure;
@@ -76,24 +77,8 @@ impl Study<'_> {
         let done = AtomicUsize::new(0);
         let tick = || (self.progress)(done.fetch_add(1, Ordering::Relaxed) + 1, all);
         let limits = self.limits(&tick);
-        let linear: Vec<LinearLimit> = self
-            .contestants
-            .par_iter()
-            .filter_map(|contestant| {
-                let row = linear_limit(contestant);
-                tick();
-                row
-            })
-            .collect();
-        let fails_where = self
-            .contestants
-            .iter()
-            .filter_map(|contestant| {
-                let scheme = contestant.card.name;
-                let line = line(scheme, &limits, &linear)?;
-                Some(FailsWhere { scheme: scheme.to_owned(), line })
-            })
-            .collect();
+        let linear = self.linear(&tick);
+        let fails_where = self.lines(&limits, &linear);
         let mut study = Stability {
             schema: SCHEMA.to_owned(),
             polhode: env!("CARGO_PKG_VERSION").to_owned(),
@@ -111,6 +96,23 @@ impl Study<'_> {
         self.run_long(&mut study, &tick);
         study.complete = !interrupt::requested();
         study
+    }
+
+    fn linear(&self, tick: &(dyn Fn() + Sync)) -> Vec<LinearLimit> {
+        let rows = self.contestants.par_iter().filter_map(|contestant| {
+            let row = linear_limit(contestant);
+            tick();
+            row
+        });
+        rows.collect()
+    }
+
+    fn lines(&self, limits: &[Limit], linear: &[LinearLimit]) -> Vec<FailsWhere> {
+        let one = |contestant: &Contestant| {
+            let scheme = contestant.card.name;
+            Some(FailsWhere { scheme: scheme.to_owned(), line: line(scheme, limits, linear)? })
+        };
+        self.contestants.iter().filter_map(one).collect()
     }
 
     fn limits(&self, tick: &(dyn Fn() + Sync)) -> Vec<Limit> {

@@ -18,180 +18,12 @@
 //!
 //! Schemes that are no Runge–Kutta schemes act on (x, v) by a matrix of their own, or on a history.
 
-use nalgebra::{Complex, DMatrix, Matrix2, Matrix3, Matrix6, SymmetricEigen, Vector3};
+use nalgebra::{Matrix3, Matrix6, SymmetricEigen, Vector3};
 
 use crate::model::System;
-use crate::model::body::Shape;
 use crate::model::forces::{Attachment, Law};
 
-/// How a scheme acts on one mode of the linear problem.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Amplification {
-    /// R(z) = Σ zᵏ/k! up to this power.
-    RungeKutta(u32),
-    /// Velocity and position one after the other: x₁ = x₀ + h v₁ (or forces at the new x), det = 1 − 2 ζ a.
-    SymplecticEuler,
-    /// Half kick, drift, half kick; composed of steps of these parts of h. Without damping.
-    Leapfrog(&'static [f64]),
-    /// Adams and Bashforth's formula of this order.
-    AdamsBashforth(u32),
-    /// The implicit midpoint rule by fixed-point iteration: stable wherever the iteration contracts, |hλ/2| < 1.
-    MidpointByIteration,
-    /// So many steps of Euler's method in one.
-    Substeps(u32),
-}
-
-/// 1/(4 − 4^⅓), Suzuki's outer part.
-const SUZUKI: f64 = 0.414_490_771_794_375_7;
-/// 1/(2 − 2^⅓), Yoshida's outer part.
-const YOSHIDA: f64 = 1.351_207_191_959_657_8;
-
-/// How the scheme of this name acts, where that is simple enough to be derived by hand.
-pub fn amplification(scheme: &str) -> Option<Amplification> {
-    Some(match scheme {
-        "euler" => Amplification::RungeKutta(1),
-        "peskin-rk2" | "peskin-heun" | "peskin-ralston" | "peskin-trapezoid" | "peskin-cayley" => {
-            Amplification::RungeKutta(2)
-        }
-        "peskin-rk3" | "crouch-grossman-3" => Amplification::RungeKutta(3),
-        "peskin-rk4" | "rkmk4" | "rk4-quaternion" | "rk4-matrix" => Amplification::RungeKutta(4),
-        "course-notes-euler" => Amplification::SymplecticEuler,
-        "substepped-4-euler" => Amplification::Substeps(4),
-        "adams-bashforth-2" => Amplification::AdamsBashforth(2),
-        "adams-bashforth-3" | "adams-bashforth-3-cold" => Amplification::AdamsBashforth(3),
-        "adams-bashforth-4" | "adams-bashforth-4-cold" => Amplification::AdamsBashforth(4),
-        "implicit-midpoint" => Amplification::MidpointByIteration,
-        "strang-rotations" | "strang-symmetric" | "exact-rotor" | "no-squish" | "rattle"
-        | "moser-veselov" | "moser-veselov-4" | "moser-veselov-6" | "moser-veselov-8"
-        | "moser-veselov-10" => Amplification::Leapfrog(&[1.0]),
-        "yoshida-4" => Amplification::Leapfrog(&[YOSHIDA, 1.0 - 2.0 * YOSHIDA, YOSHIDA]),
-        "suzuki-4" => Amplification::Leapfrog(&[SUZUKI, SUZUKI, 1.0 - 4.0 * SUZUKI, SUZUKI, SUZUKI]),
-        _ => return None,
-    })
-}
-
-impl Amplification {
-    /// What it is, in words.
-    pub fn words(self) -> String {
-        match self {
-            Amplification::RungeKutta(p) => {
-                let terms = ["1", " + z", " + z²/2", " + z³/6", " + z⁴/24"];
-                format!("|R(hλ)| ≤ 1, R(z) = {}", terms[..=(p as usize).min(4)].concat())
-            }
-            Amplification::SymplecticEuler => "a² + 4 ζ a ≤ 4".to_owned(),
-            Amplification::Leapfrog([_]) => "a ≤ 2".to_owned(),
-            Amplification::Leapfrog(parts) => format!("|trace| ≤ 2 of {} leapfrog steps", parts.len()),
-            Amplification::AdamsBashforth(p) => format!("roots of the {p}-step Adams–Bashforth formula"),
-            Amplification::MidpointByIteration => "iteration contracts: a < 2".to_owned(),
-            Amplification::Substeps(n) => format!("|1 + hλ/{n}| ≤ 1"),
-        }
-    }
-
-    /// The factor by which the mode of damping ζ grows in a step of a = ωh, at most.
-    pub fn growth(self, a: f64, zeta: f64) -> f64 {
-        match self {
-            Amplification::RungeKutta(power) => {
-                roots(a, zeta).into_iter().map(|z| taylor(z, power).norm()).fold(0.0, f64::max)
-            }
-            Amplification::Substeps(n) => roots(a / f64::from(n), zeta)
-                .into_iter()
-                .map(|z| taylor(z, 1).norm().powi(n as i32))
-                .fold(0.0, f64::max),
-            Amplification::SymplecticEuler => {
-                spectral_radius(2.0 - a * a - 2.0 * zeta * a, 1.0 - 2.0 * zeta * a)
-            }
-            Amplification::Leapfrog(parts) => {
-                let step = |part: &f64| {
-                    let b = part * a;
-                    let half = Matrix2::new(1.0, 0.0, -b / 2.0, 1.0);
-                    half * Matrix2::new(1.0, b, 0.0, 1.0) * half
-                };
-                let whole = parts.iter().map(step).fold(Matrix2::identity(), |all, one| one * all);
-                spectral_radius(whole.trace(), whole.determinant())
-            }
-            Amplification::AdamsBashforth(order) => {
-                roots(a, zeta).into_iter().map(|z| adams_bashforth(z, order)).fold(0.0, f64::max)
-            }
-            Amplification::MidpointByIteration => {
-                if a < 2.0 {
-                    1.0
-                } else {
-                    f64::INFINITY
-                }
-            }
-        }
-    }
-
-    /// The largest a = ωh up to which no step grows by more than `allowed` (relative), found by bisection after a scan; `None`
-    /// where the smallest a tried, 1e-3, already does.
-    pub fn limit(self, zeta: f64, allowed: f64) -> Option<f64> {
-        let grows = |a: f64| !(self.growth(a, zeta) <= 1.0 + allowed);
-        let mut low = 1e-3;
-        if grows(low) {
-            return None;
-        }
-        let mut high = low;
-        while !grows(high) {
-            low = high;
-            high *= 1.02;
-            if high > 1e3 {
-                return None;
-            }
-        }
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if grows(middle) { high = middle } else { low = middle }
-        }
-        Some(low)
-    }
-}
-
-/// hλ of the two modes of (1).
-fn roots(a: f64, zeta: f64) -> [Complex<f64>; 2] {
-    let root = Complex::new(zeta * zeta - 1.0, 0.0).sqrt();
-    [Complex::new(-zeta, 0.0) + root, Complex::new(-zeta, 0.0) - root].map(|z| z * a)
-}
-
-fn taylor(z: Complex<f64>, power: u32) -> Complex<f64> {
-    let mut term = Complex::new(1.0, 0.0);
-    let mut sum = term;
-    for k in 1..=power {
-        term = term * z / f64::from(k);
-        sum += term;
-    }
-    sum
-}
-
-/// The larger modulus of the roots of r² − trace r + determinant.
-fn spectral_radius(trace: f64, determinant: f64) -> f64 {
-    let root = Complex::new(trace * trace / 4.0 - determinant, 0.0).sqrt();
-    let half = Complex::new(trace / 2.0, 0.0);
-    (half + root).norm().max((half - root).norm())
-}
-
-/// The largest root of rᵖ − rᵖ⁻¹ − z Σ bⱼ rʲ, by the companion matrix over the reals of twice the size.
-fn adams_bashforth(z: Complex<f64>, order: u32) -> f64 {
-    // Latest rate first.
-    let coefficients: &[f64] = match order {
-        2 => &[3.0 / 2.0, -1.0 / 2.0],
-        3 => &[23.0 / 12.0, -16.0 / 12.0, 5.0 / 12.0],
-        _ => &[55.0 / 24.0, -59.0 / 24.0, 37.0 / 24.0, -9.0 / 24.0],
-    };
-    let n = coefficients.len();
-    let mut matrix = DMatrix::<f64>::zeros(2 * n, 2 * n);
-    for (j, coefficient) in coefficients.iter().enumerate() {
-        let entry = z * *coefficient + if j == 0 { 1.0 } else { 0.0 };
-        matrix[(0, 2 * j)] = entry.re;
-        matrix[(0, 2 * j + 1)] = -entry.im;
-        matrix[(1, 2 * j)] = entry.im;
-        matrix[(1, 2 * j + 1)] = entry.re;
-        if j + 1 < n {
-            matrix[(2 * j + 2, 2 * j)] = 1.0;
-            matrix[(2 * j + 3, 2 * j + 1)] = 1.0;
-        }
-    }
-    matrix.complex_eigenvalues().iter().map(|root| root.norm()).fold(0.0, f64::max)
-}
+pub use super::amplification::{Amplification, amplification};
 
 /// The left side of (2), or |λ_max| h − 2 from ζ = 1 on: at most zero where Peskin's scheme is stable.
 pub fn peskin_condition(a: f64, zeta: f64) -> f64 {
@@ -205,9 +37,7 @@ pub fn peskin_condition(a: f64, zeta: f64) -> f64 {
 /// The eigenvalues μ of E/M − [r] I⁻¹ [r] at a point `arm` from the centre of mass, rising [1/kg]; world axes at t = 0.
 pub fn mobilities(system: &System, arm: &Vector3<f64>) -> Vector3<f64> {
     let cross = arm.cross_matrix();
-    let axes = system.start.orientation.to_rotation_matrix().into_inner();
-    let inverse = axes * system.body.inverse_inertia() * axes.transpose();
-    let matrix = Matrix3::identity() / system.body.mass - cross * inverse * cross;
+    let matrix = Matrix3::identity() / system.body.mass - cross * inverse_inertia(system) * cross;
     let mut values: Vec<f64> = SymmetricEigen::new(matrix).eigenvalues.iter().copied().collect();
     values.sort_by(f64::total_cmp);
     Vector3::from_vec(values)
@@ -216,56 +46,61 @@ pub fn mobilities(system: &System, arm: &Vector3<f64>) -> Vector3<f64> {
 /// ω of the fastest linear mode of the springs and of a ground that is touched [rad/s], at the start; `None` without any. Springs
 /// count with their full stiffness in every direction, which is exact for a rest length of zero.
 pub fn natural_frequency(system: &System) -> Option<f64> {
-    let axes = system.start.orientation.to_rotation_matrix().into_inner();
-    let inverse_inertia = axes * system.body.inverse_inertia() * axes.transpose();
+    let stiffness: Matrix6<f64> = system.forces.laws().iter().filter_map(|law| stiffness(system, law)).sum();
     let inverse_mass = if system.body.pivoted { 0.0 } else { 1.0 / system.body.mass };
-    // Columns of the stiffness as (k, direction or all, arm).
-    let mut stiffness = Matrix6::<f64>::zeros();
-    let mut add = |k: f64, arm: Vector3<f64>, projector: Matrix3<f64>| {
-        let cross = arm.cross_matrix();
-        // A point moves by dx − [arm] dθ.
-        let blocks = [Matrix3::identity(), -cross];
-        for (row, left) in blocks.iter().enumerate() {
-            for (column, right) in blocks.iter().enumerate() {
-                let mut block = stiffness.fixed_view_mut::<3, 3>(3 * row, 3 * column);
-                block += left.transpose() * projector * right * k;
-            }
-        }
-    };
-    for law in system.forces.laws() {
-        match law {
-            Law::Spring(spring) => {
-                let arm = match &spring.attachment {
-                    Attachment::Point(index) => system.body.points[*index].position,
-                    Attachment::At(position) => *position,
-                };
-                add(spring.stiffness, axes * arm, Matrix3::identity());
-            }
-            Law::Ground(ground) => {
-                let normal = ground.normal.normalize();
-                // One point touches at a time; the frequency is that of the point that gives the highest.
-                if let Some(point) = system.body.points.iter().max_by(|a, b| {
-                    mobility(system, a.position, &normal).total_cmp(&mobility(system, b.position, &normal))
-                }) {
-                    add(ground.stiffness, axes * point.position, normal * normal.transpose());
-                }
-            }
-            _ => {}
-        }
-    }
     let mut root = Matrix6::<f64>::zeros();
     root.fixed_view_mut::<3, 3>(0, 0).copy_from(&(Matrix3::identity() * inverse_mass.sqrt()));
-    let inertia_root = symmetric_root(&inverse_inertia);
-    root.fixed_view_mut::<3, 3>(3, 3).copy_from(&inertia_root);
+    root.fixed_view_mut::<3, 3>(3, 3).copy_from(&symmetric_root(&inverse_inertia(system)));
     let largest = SymmetricEigen::new(root * stiffness * root).eigenvalues.max();
-    (largest > 0.0 && system.body.shape != Shape::Point || largest > 0.0).then(|| largest.sqrt())
+    (largest > 0.0).then(|| largest.sqrt())
 }
 
-fn mobility(system: &System, arm: Vector3<f64>, normal: &Vector3<f64>) -> f64 {
+/// The stiffness that a law gives the body's displacement and turn.
+fn stiffness(system: &System, law: &Law) -> Option<Matrix6<f64>> {
     let axes = system.start.orientation.to_rotation_matrix().into_inner();
-    let across = (axes * arm).cross(normal);
-    let inverse = axes * system.body.inverse_inertia() * axes.transpose();
-    1.0 / system.body.mass + across.dot(&(inverse * across))
+    match law {
+        Law::Spring(spring) => {
+            let arm = match &spring.attachment {
+                Attachment::Point(index) => system.body.points[*index].position,
+                Attachment::At(position) => *position,
+            };
+            Some(point_stiffness(&(axes * arm), &Matrix3::identity()) * spring.stiffness)
+        }
+        Law::Ground(ground) => {
+            let normal = ground.normal.normalize();
+            // One point touches at a time: that which the ground throws off the fastest.
+            let arms = system.body.points.iter().map(|point| axes * point.position);
+            let arm =
+                arms.max_by(|a, b| mobility(system, a, &normal).total_cmp(&mobility(system, b, &normal)))?;
+            Some(point_stiffness(&arm, &(normal * normal.transpose())) * ground.stiffness)
+        }
+        _ => None,
+    }
+}
+
+/// The stiffness of a spring of 1 N/m at a point, which moves by dx − [arm] dθ, in the directions that are projected on.
+fn point_stiffness(arm: &Vector3<f64>, projector: &Matrix3<f64>) -> Matrix6<f64> {
+    let blocks = [Matrix3::identity(), -arm.cross_matrix()];
+    let mut whole = Matrix6::<f64>::zeros();
+    for (row, left) in blocks.iter().enumerate() {
+        for (column, right) in blocks.iter().enumerate() {
+            let block = left.transpose() * projector * right;
+            whole.fixed_view_mut::<3, 3>(3 * row, 3 * column).copy_from(&block);
+        }
+    }
+    whole
+}
+
+/// I⁻¹ [1/(kg m²)], world axes at t = 0.
+fn inverse_inertia(system: &System) -> Matrix3<f64> {
+    let axes = system.start.orientation.to_rotation_matrix().into_inner();
+    axes * system.body.inverse_inertia() * axes.transpose()
+}
+
+/// Velocity that a unit impulse along a normal gives the point at `arm` [1/kg], world axes.
+fn mobility(system: &System, arm: &Vector3<f64>, normal: &Vector3<f64>) -> f64 {
+    let across = arm.cross(normal);
+    1.0 / system.body.mass + across.dot(&(inverse_inertia(system) * across))
 }
 
 fn symmetric_root(matrix: &Matrix3<f64>) -> Matrix3<f64> {
@@ -300,46 +135,4 @@ pub fn middle_axis_growth(moments: [f64; 3], spin: f64) -> f64 {
 /// The spin above which an upright top sleeps [rad/s]: Ω² = 4 M g l I₁ / I₃², moments about the pivot.
 pub fn sleeping_spin(weight_times_arm: f64, across: f64, along: f64) -> f64 {
     (4.0 * weight_times_arm * across).sqrt() / along
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_condition_of_the_note_s_scheme_is_that_of_its_polynomial() {
-        for zeta in [0.05, 0.155, 0.62, 0.9, 1.5, 3.0] {
-            let limit = Amplification::RungeKutta(2).limit(zeta, 0.0).expect("damped, so stable somewhere");
-            assert!(
-                peskin_condition(limit * 0.999, zeta) < 0.0 && peskin_condition(limit * 1.001, zeta) > 0.0,
-                "{zeta}"
-            );
-        }
-    }
-
-    #[test]
-    fn the_best_damping_of_the_note_s_scheme_is_sixty_two_hundredths_at_a_step_of_2_135() {
-        // NUMERICS: best a = 2.135 at ζ = 0.62, given to as many digits.
-        let best = (300..=900)
-            .map(|n| f64::from(n) / 1000.0)
-            .map(|zeta| (Amplification::RungeKutta(2).limit(zeta, 0.0).expect("damped"), zeta))
-            .fold((0.0, 0.0), |best, now| if now.0 > best.0 { now } else { best });
-        assert!((best.0 - 2.135).abs() < 0.001 && (best.1 - 0.62).abs() < 0.01, "{best:?}");
-    }
-
-    #[test]
-    fn textbook_limits_come_out_of_the_polynomials() {
-        let limit = |one: Amplification, zeta| one.limit(zeta, 1e-12).expect("stable somewhere");
-        let near = |a: f64, b: f64| assert!((a - b).abs() < 2e-3 * b, "{a} {b}");
-        near(limit(Amplification::Leapfrog(&[1.0]), 0.0), 2.0);
-        // Imaginary axis of the classical methods: √3 and 2√2.
-        near(Amplification::RungeKutta(3).limit(0.0, 1e-12).expect("stable"), 3f64.sqrt());
-        near(limit(Amplification::RungeKutta(4), 0.0), 8f64.sqrt());
-        // Negative real axis: z = −1 for AB2 and −6/11 for AB3, with λ h = −2 ζ a in the limit of large ζ.
-        let ab = |order| limit(Amplification::AdamsBashforth(order), 50.0) * (50.0 + (2499f64).sqrt());
-        near(ab(2), 1.0);
-        near(ab(3), 6.0 / 11.0);
-        near(limit(Amplification::SymplecticEuler, 0.5), 2.0 * (1.25f64.sqrt() - 0.5));
-        near(limit(Amplification::Leapfrog(&[YOSHIDA, 1.0 - 2.0 * YOSHIDA, YOSHIDA]), 0.0), 1.573);
-    }
 }

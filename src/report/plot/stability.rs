@@ -47,7 +47,7 @@ fn limits(study: &Stability) -> Option<Sketch> {
     let subtitle = "left: linear stability of the spring-held body, h·ω; right: radians a step within 0.1 rad, within 1 % of energy, and bounded";
     panel::headline(&mut sketch, "Largest usable steps", subtitle);
     let bottom = height - 190.0;
-    let names = 430.0;
+    let names = 530.0;
     let scenes = survey::distinct(study.limits.iter().map(|row| row.scene.as_str()));
     let shown: Vec<&str> = SHOWN.into_iter().filter(|scene| scenes.contains(scene)).collect();
     let width = (2600.0 - names - MARGIN) / (shown.len() + 1) as f64;
@@ -177,9 +177,9 @@ fn long_runs(runs: &[LongRun]) -> Option<Sketch> {
     let subtitle =
         format!("|relative change of the rotational energy| against the number of steps, {turn} rad a step");
     panel::headline(&mut sketch, "Energy over many steps", &subtitle);
-    let all = Frame { left: MARGIN + 100.0, top: TOP, right: width - MARGIN, bottom: TOP + 1000.0 };
+    let all = Frame { left: MARGIN, top: TOP, right: width - MARGIN, bottom: TOP + 1000.0 };
     for (index, scene) in scenes.iter().enumerate() {
-        let frame = all.cell((scenes.len(), 1), index).inside(40.0, 50.0, 40.0, 110.0);
+        let frame = all.cell((scenes.len(), 1), index).inside(110.0, 50.0, 20.0, 110.0);
         draw_long(&mut sketch, runs, scene, &palette, frame);
     }
     legend::draw(&mut sketch, &entries, MARGIN + 20.0, height - strip - MARGIN, width - 2.0 * MARGIN - 20.0);
@@ -225,7 +225,7 @@ fn energy_law(study: &Stability) -> Option<Sketch> {
     let mut sketch = Sketch::new(1500.0, 1150.0, "Measured drift rate of the energy and the law".into());
     let subtitle = format!("{} in {}: dE/dt = h³ β⁴ l⁶ sin²θ cos⁴θ / (8A)", first.scheme, first.scene);
     panel::headline(&mut sketch, "Peskin's law of the energy", &subtitle);
-    let frame = Frame { left: 170.0, top: TOP, right: 1460.0, bottom: 940.0 };
+    let frame = Frame { left: 170.0, top: TOP + 60.0, right: 1460.0, bottom: 940.0 };
     let logs = |value: f64| value.log10();
     let panel = Panel {
         frame,
@@ -234,11 +234,8 @@ fn energy_law(study: &Stability) -> Option<Sketch> {
     };
     panel.draw_grid(&mut sketch);
     let look = Palette::new(vec![first.scheme.as_str()]).look(&first.scheme);
-    sketch.line(
-        rates.iter().map(|rate| panel.place(logs(rate.step_s), logs(rate.law_w))).collect(),
-        GUIDE,
-        4.0,
-    );
+    let law: Vec<Place> = rates.iter().map(|rate| panel.place(logs(rate.step_s), logs(rate.law_w))).collect();
+    sketch.dashed(&law, GUIDE, 4.0);
     for rate in &rates {
         sketch.marker(
             look.marker,

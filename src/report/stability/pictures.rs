@@ -46,9 +46,9 @@ fn range(axis: &MapAxis) -> Range {
 fn numbers(map: &Map) -> Scale {
     let (title, logarithmic, range) = match map.name.as_str() {
         "spring-stiffness" | "spring-damping" | "stiff-drag" => ("growth a step", false, Some((-0.25, 0.25))),
-        "free-shapes" => ("largest |Ω|h [rad]", false, None),
+        "free-shapes" => ("largest |Ω|h [rad]", true, None),
         "sleeping-top" => ("log₁₀ of the growth of the tilt", false, Some((0.0, 3.0))),
-        "middle-axis" => ("measured rate over λ", false, Some((0.0, 2.0))),
+        "middle-axis" => ("log₁₀ |rate/λ − 1|", false, Some((-5.0, 0.0))),
         "thin-bodies" => ("log₁₀ of the change of energy", false, Some((-8.0, 0.0))),
         "bounce" => ("order", false, Some((0.0, 4.0))),
         _ => ("value", false, None),

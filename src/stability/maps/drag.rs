@@ -63,9 +63,7 @@ pub(super) fn map(contestant: &Contestant, cells: usize) -> Option<Map> {
         (ends.iter().map(|(amplitude, end)| Some(value(amplitude.growth(STEPS, end)))).collect(), taken)
     });
     map.title = "Stiff drag: step and drag".to_owned();
-    map.what = format!(
-        "logarithmic growth a step of the motion of a body whose points all have the drag c, {STEPS} steps"
-    );
+    map.what = "logarithmic growth a step of the speed; every point has the drag c".to_owned();
     map.edge = Some(0.0);
     if let Some(limit) = real_limit(theory::amplification(contestant.card.name)) {
         map.edge_off_theory = edge_off(&map, NO_GROWTH, |rate| Some(limit / rate));

@@ -56,7 +56,7 @@ impl Kept {
         }
         self.last = energy / self.first - 1.0;
         // Not f64::max, which would hide a NaN.
-        if !(self.last.abs() <= self.largest_change) {
+        if self.last.is_nan() || self.last.abs() > self.largest_change {
             self.largest_change = self.last.abs();
         }
         if state.time >= 0.75 * self.end {

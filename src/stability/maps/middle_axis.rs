@@ -16,6 +16,8 @@ const WOBBLE: f64 = 1e-7;
 const FOLDINGS: f64 = 8.0;
 /// Most steps of a run.
 const MOST_STEPS: f64 = 4000.0;
+/// Deviation from λ that is drawn as none.
+const SMALLEST_OFF: f64 = 1e-6;
 /// Smallest moment over the largest.
 const SMALLEST: f64 = 0.6;
 
@@ -45,7 +47,7 @@ impl Wobble {
 
 pub(super) fn map(contestant: &Contestant, cells: usize) -> Option<Map> {
     let moments = |part: f64| [SMALLEST, SMALLEST + (1.0 - SMALLEST) * part, 1.0];
-    let system = |part: f64| spinning(Vector3::from(moments(part)), Vector3::new(WOBBLE, 1.0, WOBBLE));
+    let system = |part: f64| spinning(Vector3::from(moments(part)), Vector3::new(WOBBLE, 1.0, -WOBBLE));
     contestant.refusal(&system(0.5)?).is_none().then_some(())?;
     let x = logarithmic("step |Ω|h", "rad", 0.02, std::f64::consts::PI);
     let y = linear("(I₂ − I₁)/(I₃ − I₁) at I₁/I₃ = 0.6", "1", 0.0, 1.0);
@@ -64,10 +66,12 @@ pub(super) fn map(contestant: &Contestant, cells: usize) -> Option<Map> {
         };
         let ends = Ensemble::new(contestant, members).fold(begin, Wobble::see);
         let taken = ends.iter().map(|end| end.1.steps).sum();
-        (ends.iter().map(|(wobble, _)| wobble.rate().map(|rate| rate / theory)).collect(), taken)
+        let off = |rate: f64| (rate / theory - 1.0).abs().max(SMALLEST_OFF).log10();
+        (ends.iter().map(|(wobble, _)| wobble.rate().map(off)).collect(), taken)
     });
     map.title = "Tumbling: growth of a wobble about the middle axis".to_owned();
-    map.what = format!("measured growth rate over λ, {FOLDINGS} e-foldings or {MOST_STEPS} steps");
-    map.edge = Some(1.0);
+    map.what =
+        format!("log₁₀ |measured rate / λ − 1|, λ = Ω₂ √((I₂−I₁)(I₃−I₂)/(I₁I₃)), {FOLDINGS} e-foldings");
+    map.edge = Some(-2.0);
     Some(map)
 }

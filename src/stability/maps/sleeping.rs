@@ -27,7 +27,7 @@ impl Tilt {
     fn see(&mut self, state: &Snapshot) {
         let axis = state.orientation * Vector3::z();
         let tilt = axis.x.hypot(axis.y).atan2(axis.z);
-        if !(tilt <= self.0) {
+        if tilt.is_nan() || tilt > self.0 {
             self.0 = tilt;
         }
     }

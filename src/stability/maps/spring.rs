@@ -17,7 +17,7 @@ const DAMPING: f64 = 8.0;
 /// Stiffness of the map over the damping [N/m].
 const STIFFNESS: f64 = 1024.0;
 
-const WHAT: &str = "logarithmic growth a step of a small displacement of the spring-held body at rest";
+const WHAT: &str = "logarithmic growth a step of a small displacement";
 
 fn bench(stiffness: f64, damping: f64) -> Option<Bench> {
     Bench::of(&Scene::find(crate::stability::LINEAR_SCENES[0]).ok()?.system)?.changed(stiffness, damping)
@@ -52,7 +52,7 @@ pub(super) fn stiffness(contestant: &Contestant, cells: usize) -> Option<Map> {
         limit(amplification, bench.zeta).map(|a| a / bench.omega)
     };
     finish(&mut map, "Spring-held body: step and stiffness", theory);
-    map.what = format!("{WHAT}, c = {DAMPING} N s/m, {STEPS} steps");
+    map.what = format!("{WHAT}, c = {DAMPING} N s/m");
     Some(map)
 }
 
@@ -75,7 +75,7 @@ pub(super) fn damping(contestant: &Contestant, cells: usize) -> Option<Map> {
     });
     let amplification = theory::amplification(contestant.card.name);
     finish(&mut map, "Spring-held body: step and damping", |zeta| limit(amplification, zeta));
-    map.what = format!("{WHAT}, k = {STIFFNESS} N/m, {STEPS} steps");
+    map.what = format!("{WHAT}, k = {STIFFNESS} N/m");
     Some(map)
 }
 
