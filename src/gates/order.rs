@@ -10,6 +10,8 @@ use crate::regression::{Fit, Ladder};
 
 /// Largest relative change of an error constant.
 const CONSTANT_CHANGE: f64 = 0.05;
+/// Error over its floor that cannot have been overlooked.
+const LARGE: f64 = 1e3;
 /// Change by the last halving over the error, below which a run may have come to another motion.
 const APART: f64 = 0.2;
 
@@ -155,11 +157,27 @@ fn rule_on_fit(ladder: &QuantityLadder, order: u32, fit: &Fit, rungs: usize) -> 
     (verdict, detail)
 }
 
+/// A constant on record and none measured: undecided, but where an error is below its floor that the record makes a thousand times
+/// larger.
+fn judge_without_constant(case: &Case, ladder: &QuantityLadder, known: f64, name: &str) -> Verdict {
+    let detail = format!("constant {known:.4e} on record, none measured");
+    let expected = |rung: &(f64, f64, f64)| known * rung.0.powi(order_of(case) as i32);
+    let vanished = ladder.rungs.iter().any(|rung| expected(rung) > LARGE * rung.2 && rung.1 <= rung.2);
+    if !vanished {
+        return ruled(case, "constant", name, Ruling::Inconclusive, detail);
+    }
+    ruled(case, "constant", name, Ruling::Fail, format!("{detail}: an error is below its floor"))
+}
+
+/// The order that the constants on record belong to.
+fn order_of(case: &Case) -> u32 {
+    super::order_here(case, case.card.order())
+}
+
 fn judge_constant(case: &Case, ladder: &QuantityLadder, name: &str) -> Option<Verdict> {
     let known = case.baseline.constant(case.scene, case.card.name, name)?;
     let Some(constant) = ladder.constant else {
-        let detail = format!("constant {known:.4e} on record, none measured");
-        return Some(ruled(case, "constant", name, Ruling::Inconclusive, detail));
+        return Some(judge_without_constant(case, ladder, known, name));
     };
     let holds = (constant / known - 1.0).abs() <= CONSTANT_CHANGE;
     let verdict = if holds { Ruling::Pass } else { Ruling::Fail };
