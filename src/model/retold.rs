@@ -86,11 +86,17 @@ fn of_points(system: &System, points: &[MassPoint], laws: Vec<Law>) -> Option<Sy
     started(system, body, laws)
 }
 
-fn started(system: &System, body: Body, laws: Vec<Law>) -> Option<System> {
+fn started(system: &System, mut body: Body, laws: Vec<Law>) -> Option<System> {
     let start = system.start;
     let spin = Spin::Momentum(start.angular_momentum);
     // A body that rounding has given another shape is another body.
-    let same = std::mem::discriminant(&body.shape) == std::mem::discriminant(&system.body.shape);
-    let told = System::new(body, laws, start.position, start.orientation, start.velocity, spin).ok()?;
-    same.then_some(told)
+    if std::mem::discriminant(&body.shape) != std::mem::discriminant(&system.body.shape) {
+        return None;
+    }
+    // Which principal axes a body has, and in which order, is for who tells it to choose; splittings go by them.
+    let axes = system.body.principal.to_rotation_matrix().into_inner();
+    let moments = (axes.transpose() * body.inertia * axes).diagonal();
+    body.principal = system.body.principal;
+    body.moments = moments.zip_map(&system.body.moments, |told, own| if own == 0.0 { 0.0 } else { told });
+    System::new(body, laws, start.position, start.orientation, start.velocity, spin).ok()
 }
