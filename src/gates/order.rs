@@ -34,15 +34,18 @@ pub(super) fn judge(case: &Case, order: u32) -> Vec<Verdict> {
 }
 
 /// A slope above the band says that the claimed order is too low, or that its term is too small to be seen in one quantity of one
-/// scene. Where other quantities of the same runs have the claimed order, and so a term of it, it is not too low: undecided.
+/// scene. Where another quantity of the same runs shows that order (its interval reaches into the band, or two terms show it under
+/// the next one), it is not too low: undecided.
 fn excuse_easy_quantities(order: u32, verdicts: &mut [Verdict]) {
     let is_order = |v: &Verdict| v.claim == "order";
-    let seen = verdicts.iter().any(|v| is_order(v) && v.verdict == Ruling::Pass);
+    let shows =
+        |v: &Verdict| matches!(v.verdict, Ruling::Pass | Ruling::Inconclusive) && v.measured.is_some();
+    let seen = verdicts.iter().any(|v| is_order(v) && shows(v));
     let above = |v: &Verdict| v.low.is_some_and(|low| low > f64::from(order) + BAND);
     for verdict in verdicts.iter_mut().filter(|v| is_order(v) && v.verdict == Ruling::Fail && above(v)) {
         if seen {
             verdict.verdict = Ruling::Inconclusive;
-            verdict.detail += "; other quantities of the same runs have the claimed order";
+            verdict.detail += "; other quantities of the same runs show the claimed order";
         }
     }
 }

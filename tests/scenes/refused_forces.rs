@@ -170,7 +170,8 @@ fn a_spring_off_the_line_of_a_rod_is_refused_and_one_on_it_is_not() {
         format!("{ROD}[[forces]]\nlaw = \"spring\"\nat = {at}\nanchor = [0, 0, 2]\nstiffness = 1.0")
     };
     assert_refused(&[body(&spring("[0.5, 0.1, 0.0]"), 7, "forces[0].at", "fastened on its line")]);
-    Scene::parse(&body(&spring("[0.5, 0.0, 0.0]"), 0, "", "").text, "scene.toml").expect("a spring on the rod");
+    Scene::parse(&body(&spring("[0.5, 0.0, 0.0]"), 0, "", "").text, "scene.toml")
+        .expect("a spring on the rod");
 }
 
 #[test]
