@@ -77,7 +77,7 @@ pub enum Claim {
     Reversible,
     /// One step leaves the canonical two-form where it was.
     Symplectic,
-    /// Turned, mirrored, shifted and boosted worlds and other units give the same motion.
+    /// Turned, mirrored, shifted and boosted worlds, other units, and the same body told in another way give the same motion.
     Equivariant,
     /// This many evaluations of the forces a step, exactly.
     Evaluations(u32),

@@ -169,8 +169,8 @@ fn scatter(points: &[(f64, f64)]) -> f64 {
     MEDIAN_TO_DEVIATION * median
 }
 
-/// Whether a leading term of order p and the next one explain a ladder, to 2 % of an error: e = |a hᵖ + b hᵖ⁺¹| with vectors
-/// a and b, so that
+/// How far a ladder is from a leading term of order p and the next one, as a root mean square over 2 % of an error and what else
+/// it may be off by; below one they explain it. e = |a hᵖ + b hᵖ⁺¹| with vectors a and b, so that
 ///
 /// ```text
 /// (e/hᵖ)² = |a|² + 2 a·b h + |b|² h²
@@ -178,9 +178,9 @@ fn scatter(points: &[(f64, f64)]) -> f64 {
 ///
 /// Pairwise slopes of such a ladder come to p from above where b leads, and from anywhere where the two nearly cancel.
 ///
-/// `ladder` holds (step, error, relative error of that error).
-pub fn is_explained(ladder: &[(f64, f64, f64)], order: u32) -> bool {
-    let Some((coarsest, ..)) = ladder.first() else { return false };
+/// `ladder` holds (step, error, relative error of that error). `None` where the term of order p would be none: |a|² ≤ 0.
+pub fn misfit(ladder: &[(f64, f64, f64)], order: u32) -> Option<f64> {
+    let (coarsest, ..) = ladder.first()?;
     // Least squares of the residual, relative, over what each rung may be off by: the square of an error by twice as much.
     let rows: Vec<(Vector3<f64>, f64)> = ladder
         .iter()
@@ -192,11 +192,9 @@ pub fn is_explained(ladder: &[(f64, f64, f64)], order: u32) -> bool {
     let normal: Matrix3<f64> = rows.iter().map(|(row, _)| row * row.transpose()).sum();
     let scale = Matrix3::from_diagonal(&normal.diagonal().map(|x| 1.0 / x.sqrt()));
     let sum: Vector3<f64> = rows.iter().map(|(row, weight)| row * *weight).sum();
-    let Some(terms) = (scale * normal * scale).lu().solve(&(scale * sum)).map(|terms| scale * terms) else {
-        return false;
-    };
+    let terms = scale * (scale * normal * scale).lu().solve(&(scale * sum))?;
     let residual = rows.iter().map(|(row, weight)| (row.dot(&terms) - weight).powi(2)).sum::<f64>();
-    terms.x > 0.0 && residual <= rows.len() as f64
+    (terms.x > 0.0).then(|| (residual / rows.len() as f64).sqrt())
 }
 
 /// Start and length of the longest run of rungs that stand clear; the finer one of two that are equally long.

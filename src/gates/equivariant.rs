@@ -1,4 +1,5 @@
-//! The equivariance gate: other worlds and other units give the same motion, to rounding; in binary units to the last bit.
+//! The equivariance gate: other worlds, other units and the same body told in another way give the same motion, to rounding; in
+//! binary units to the last bit.
 
 use super::{Case, ruled};
 use crate::metrics::OtherWorld;

@@ -10,6 +10,8 @@ use crate::regression::{Fit, Ladder};
 
 /// Largest relative change of an error constant.
 const CONSTANT_CHANGE: f64 = 0.05;
+/// Error over its floor that cannot have been overlooked.
+const LARGE: f64 = 1e3;
 /// Change by the last halving over the error, below which a run may have come to another motion.
 const APART: f64 = 0.2;
 
@@ -32,15 +34,18 @@ pub(super) fn judge(case: &Case, order: u32) -> Vec<Verdict> {
 }
 
 /// A slope above the band says that the claimed order is too low, or that its term is too small to be seen in one quantity of one
-/// scene. Where other quantities of the same runs have the claimed order, and so a term of it, it is not too low: undecided.
+/// scene. Where another quantity of the same runs shows that order (its interval reaches into the band, or two terms show it under
+/// the next one), it is not too low: undecided.
 fn excuse_easy_quantities(order: u32, verdicts: &mut [Verdict]) {
     let is_order = |v: &Verdict| v.claim == "order";
-    let seen = verdicts.iter().any(|v| is_order(v) && v.verdict == Ruling::Pass);
+    let shows =
+        |v: &Verdict| matches!(v.verdict, Ruling::Pass | Ruling::Inconclusive) && v.measured.is_some();
+    let seen = verdicts.iter().any(|v| is_order(v) && shows(v));
     let above = |v: &Verdict| v.low.is_some_and(|low| low > f64::from(order) + BAND);
     for verdict in verdicts.iter_mut().filter(|v| is_order(v) && v.verdict == Ruling::Fail && above(v)) {
         if seen {
             verdict.verdict = Ruling::Inconclusive;
-            verdict.detail += "; other quantities of the same runs have the claimed order";
+            verdict.detail += "; other quantities of the same runs show the claimed order";
         }
     }
 }
@@ -155,11 +160,27 @@ fn rule_on_fit(ladder: &QuantityLadder, order: u32, fit: &Fit, rungs: usize) -> 
     (verdict, detail)
 }
 
+/// A constant on record and none measured: undecided, but where an error is below its floor that the record makes a thousand times
+/// larger.
+fn judge_without_constant(case: &Case, ladder: &QuantityLadder, known: f64, name: &str) -> Verdict {
+    let detail = format!("constant {known:.4e} on record, none measured");
+    let expected = |rung: &(f64, f64, f64)| known * rung.0.powi(order_of(case) as i32);
+    let vanished = ladder.rungs.iter().any(|rung| expected(rung) > LARGE * rung.2 && rung.1 <= rung.2);
+    if !vanished {
+        return ruled(case, "constant", name, Ruling::Inconclusive, detail);
+    }
+    ruled(case, "constant", name, Ruling::Fail, format!("{detail}: an error is below its floor"))
+}
+
+/// The order that the constants on record belong to.
+fn order_of(case: &Case) -> u32 {
+    super::order_here(case, case.card.order())
+}
+
 fn judge_constant(case: &Case, ladder: &QuantityLadder, name: &str) -> Option<Verdict> {
     let known = case.baseline.constant(case.scene, case.card.name, name)?;
     let Some(constant) = ladder.constant else {
-        let detail = format!("constant {known:.4e} on record, none measured");
-        return Some(ruled(case, "constant", name, Ruling::Inconclusive, detail));
+        return Some(judge_without_constant(case, ladder, known, name));
     };
     let holds = (constant / known - 1.0).abs() <= CONSTANT_CHANGE;
     let verdict = if holds { Ruling::Pass } else { Ruling::Fail };

@@ -1,4 +1,5 @@
-//! The same run in other worlds: turned, mirrored, shifted, boosted, and in other units of mass, length and time.
+//! The same run in other worlds: turned, mirrored, shifted, boosted, in other units of mass, length and time, and with the same
+//! body told in another way (points in another order, one split in two, its inertia in place of them).
 //!
 //! A scheme that is a rule of mechanics and not of its coordinates gives the same motion to rounding. In units that are
 //! powers of two every sum, product and root is the same but for the exponent, so that the numbers agree
@@ -8,7 +9,8 @@ use nalgebra::Vector3;
 
 use super::rounding::{rounding_growth, roundings};
 use super::{Place, Rung, larger, steady_rung};
-use crate::model::{Change, Quantity, Snapshot, System, difference};
+use crate::model::body::Shape;
+use crate::model::{Change, Quantity, Snapshot, System, difference, retold};
 use crate::rotation;
 use crate::simulate::{Contestant, Form, Plan};
 
@@ -16,6 +18,11 @@ use crate::simulate::{Contestant, Form, Plan};
 const STEPS: u64 = 256;
 /// States of it that say how roundings grow.
 const SAMPLES: u64 = 16;
+
+/// How the turned world is turned.
+const TURN: Vector3<f64> = Vector3::new(0.9, -1.3, 0.4);
+/// Rounding of a moment of inertia, over the largest one: those of a sum over the points and of an eigenvalue.
+const INERTIA_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// A run in another world beside the run in the scene's own.
 #[derive(Clone, Debug)]
@@ -32,10 +39,14 @@ pub struct OtherWorld {
     pub difference: f64,
 }
 
-/// A change of world and its name.
+/// A world with its name.
 struct World {
     name: &'static str,
+    /// From the scene's own world to this one.
     change: Change,
+    /// The scene in it.
+    system: System,
+    form: Form,
     to_the_bit: bool,
 }
 
@@ -44,25 +55,54 @@ struct World {
 pub fn other_worlds(contestant: &Contestant, system: &System, rungs: &[Rung]) -> Vec<OtherWorld> {
     let Some(rung) = steady_rung(system, rungs) else { return Vec::new() };
     let steps = rung.steps.min(STEPS);
-    let run = |system: &System, step: f64| {
-        let run = contestant.run(system, Form::Least, &Plan { step, steps, every: steps });
-        (run.outcome.broken.is_none()).then(|| run.states[run.states.len() - 1])
+    let run = |system: &System, form: Form, step: f64| {
+        let run = contestant.run(system, form, &Plan { step, steps, every: steps });
+        if run.outcome.broken.is_none() { run.states.last().copied() } else { None }
     };
-    let Some(own) = run(system, rung.step) else { return Vec::new() };
-    // The ladder's floors are those of finer runs, which may be steadier.
+    let Some(own) = run(system, Form::Least, rung.step) else { return Vec::new() };
+    let own_of_points = if contestant.takes_points() { run(system, Form::Points, rung.step) } else { None };
+    let rounding = rounding(contestant, system, rung, steps);
+    let of_points = own_of_points.map(|own| {
+        let turned = Change { turn: rotation::turn(&TURN), ..Change::none() };
+        let other = run(&turned.apply(system), Form::Points, rung.step).map(|end| turned.undo(&end));
+        other.map_or([f64::NAN; 6], |other| difference(&system.body, &own, &other))
+    });
+    let compared = |world: World| {
+        let own = if world.form == Form::Least { &own } else { own_of_points.as_ref()? };
+        let step = rung.step * world.change.time;
+        let other = run(&world.system, world.form, step).map(|end| world.change.undo(&end));
+        let mut floors = floors(rung, &rounding, steps, &world);
+        if let (Form::Points, Some(of_points)) = (world.form, &of_points) {
+            floors = std::array::from_fn(|index| floors[index].max(of_points[index]));
+        }
+        Some(compare(system, &world, own, other.as_ref(), &floors))
+    };
+    let worlds = worlds(system, rung.step * steps as f64).into_iter().chain(told(system));
+    worlds.filter_map(compared).collect()
+}
+
+/// What roundings become in this very run, of every step and of the inertia at its start: the ladder's floors are those of finer
+/// runs, which may be steadier.
+struct Rounding {
+    of_steps: [f64; 6],
+    of_inertia: [f64; 6],
+}
+
+fn rounding(contestant: &Contestant, system: &System, rung: &Rung, steps: u64) -> Rounding {
     let plan = Plan { step: rung.step, steps, every: (steps / SAMPLES).max(1) };
     let motion = contestant.run(system, Form::Least, &plan).states;
     let growth = rounding_growth(contestant, system, &motion, &plan);
-    let turned = motion.iter().map(|s| rotation::length(&s.angular_velocity)).fold(0.0, f64::max);
-    let roundings = roundings(system, steps, turned * rung.step * steps as f64);
-    let growth: [f64; 6] = std::array::from_fn(|index| growth[index].max * roundings[index]);
-    let compared = |world: World| {
-        let change = &world.change;
-        let other = run(&change.apply(system), rung.step * change.time).map(|end| change.undo(&end));
-        let floors = floors(rung, &growth, steps, change);
-        compare(system, &world, &own, other.as_ref(), &floors)
-    };
-    worlds(system, rung.step * steps as f64).into_iter().map(compared).collect()
+    let fastest = motion.iter().map(|s| rotation::length(&s.angular_velocity)).fold(0.0, f64::max);
+    let turned = fastest * rung.step * steps as f64;
+    let roundings = roundings(system, steps, turned);
+    // A moment is good to a few roundings of the largest one, and its part of Ω no better.
+    let moments = system.body.moments;
+    let condition = if system.body.shape == Shape::Extended { moments.max() / moments.min() } else { 1.0 };
+    let of_inertia = INERTIA_ROUNDING * condition * (1.0 + turned);
+    Rounding {
+        of_steps: std::array::from_fn(|index| growth[index].max * roundings[index]),
+        of_inertia: growth.map(|growth| growth.max * of_inertia),
+    }
 }
 
 fn compare(
@@ -97,9 +137,12 @@ fn compare(
 }
 
 /// The floors of the run's own ladder, and what larger positions and velocities in the other world round off.
-fn floors(rung: &Rung, growth: &[f64; 6], steps: u64, change: &Change) -> [f64; 6] {
-    let mut floors: [f64; 6] =
-        std::array::from_fn(|index| Place::Max.of(&rung.floors[index]).max(growth[index]));
+fn floors(rung: &Rung, rounding: &Rounding, steps: u64, world: &World) -> [f64; 6] {
+    let change = &world.change;
+    let told = if *change == Change::none() { rounding.of_inertia } else { [0.0; 6] };
+    let mut floors: [f64; 6] = std::array::from_fn(|index| {
+        Place::Max.of(&rung.floors[index]).max(rounding.of_steps[index]) + told[index]
+    });
     let per_step = f64::EPSILON * steps as f64;
     let boost = rotation::length(&change.boost);
     let shift = rotation::length(&change.shift) + boost * rung.step * steps as f64;
@@ -109,18 +152,42 @@ fn floors(rung: &Rung, growth: &[f64; 6], steps: u64, change: &Change) -> [f64; 
     floors
 }
 
+/// The same body told in other ways, on the least model and on the points.
+fn told(system: &System) -> Vec<World> {
+    let told = |name, told: Option<System>, form| {
+        told.map(|system| World { name, change: Change::none(), system, form, to_the_bit: false })
+    };
+    [
+        told("permuted", retold::permuted(system), Form::Least),
+        told("split", retold::split(system), Form::Least),
+        told("by-inertia", retold::by_inertia(system), Form::Least),
+        told("permuted-points", retold::permuted(system), Form::Points),
+        told("split-points", retold::split(system), Form::Points),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
 /// The changes that leave a scene's laws what they are. Shift and boost are of the size of the body and of its motion.
 fn worlds(system: &System, duration: f64) -> Vec<World> {
     let none = Change::none();
-    let rough = |name, change| World { name, change, to_the_bit: false };
+    let changed = |name, change: Change, to_the_bit| World {
+        name,
+        change,
+        system: change.apply(system),
+        form: Form::Least,
+        to_the_bit,
+    };
+    let rough = |name, change| changed(name, change, false);
     let extent = system.body.extent();
     let units = |mass: f64, length: f64, time: f64| Change { mass, length, time, ..none };
-    let turn = rotation::turn(&Vector3::new(0.9, -1.3, 0.4));
+    let turn = rotation::turn(&TURN);
     let mut worlds = vec![
         rough("turned", Change { turn, ..none }),
         rough("mirrored", units(1.0, -1.0, 1.0)),
         rough("shifted", Change { shift: Vector3::new(0.75, -1.25, 0.5) * extent, ..none }),
-        World { name: "binary-units", change: units(16.0, 0.0625, 256.0), to_the_bit: true },
+        changed("binary-units", units(16.0, 0.0625, 256.0), true),
         rough("mass-1e10", units(1e10, 1.0, 1.0)),
         rough("mass-1e-10", units(1e-10, 1.0, 1.0)),
         rough("length-1e10", units(1.0, 1e10, 1.0)),

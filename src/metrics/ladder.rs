@@ -24,6 +24,8 @@ const SAMPLES_OF_OWN_STEPS: usize = 4;
 const STANDS: f64 = 0.02;
 /// Numbers of steps, odd ones, that a whole run in steady spin is made in besides its ladder.
 const GIANT_STEPS: [u64; 4] = [1, 3, 5, 7];
+/// Misfit without a term over that with it, from which on the term is seen.
+const FAR_BETTER: f64 = 5.0;
 /// Slope below which errors hardly fall.
 const FLAT: f64 = 0.5;
 /// Half-width of the band about the claimed order.
@@ -122,14 +124,14 @@ impl QuantityLadder {
         if let Ladder::Window { fit, .. } = &self.ladder { Some(*fit) } else { None }
     }
 
-    /// Whether the window shows a term of `order` that the next one still hides: with it two terms explain the window, without
-    /// it two terms do not. Slopes outside the band then say nothing against that order.
+    /// Whether the window shows a term of `order` that the next one still hides: with it two terms explain the window, and far
+    /// better than two terms without it. Slopes outside the band then say nothing against that order.
     pub fn is_on_its_way(&self, order: u32) -> bool {
         let Ladder::Window { rungs, .. } = &self.ladder else { return false };
-        let window = &self.rungs[rungs.clone()];
-        let with: Vec<_> = window.iter().map(|(h, e, floor)| (*h, *e, floor / e)).collect();
-        let without: Vec<_> = window.iter().map(|(h, e, _)| (*h, *e, 0.0)).collect();
-        regression::is_explained(&with, order) && !regression::is_explained(&without, order + 1)
+        let window: Vec<_> =
+            self.rungs[rungs.clone()].iter().map(|(h, e, floor)| (*h, *e, floor / e)).collect();
+        let without = regression::misfit(&window, order + 1).unwrap_or(f64::INFINITY);
+        regression::misfit(&window, order).is_some_and(|with| with <= 1.0 && FAR_BETTER * with < without)
     }
 
     /// Whether the interval lies inside the band about `order`.
@@ -208,7 +210,7 @@ pub fn climb(
         if steps > contestant.most_steps() && index >= FEWEST_RUNGS {
             break;
         }
-        let floors = floors(reference, &growth, roundings(system, steps, turned));
+        let floors = floors(system, reference, &growth, roundings(system, steps, turned));
         let (rung, states) = run_rung(contestant, system, reference, steps, floors, &before);
         let refused = rung.outcome.refusal().is_some();
         evidence.rungs.push(rung);
@@ -278,7 +280,7 @@ fn giant_steps(
             errors = apart.map(|value| Reading { end: value, max: value });
         }
         let measured = of_giant_steps(contestant, system, &plan, states.last());
-        let mut floors = floors(reference, growth, roundings(system, steps, turned));
+        let mut floors = floors(system, reference, growth, roundings(system, steps, turned));
         for (floor, measured) in floors.iter_mut().zip(measured) {
             *floor = Reading { end: floor.end.max(measured), max: floor.max.max(measured) };
         }

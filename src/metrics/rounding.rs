@@ -89,9 +89,23 @@ pub(super) fn roundings(system: &System, steps: u64, turned: f64) -> [f64; 6] {
 }
 
 /// The larger of the reference's uncertainty and what roundings become.
-pub(super) fn floors(reference: &Reference, growth: &[Reading; 6], roundings: [f64; 6]) -> [Reading; 6] {
+///
+/// A body point is off by no more than the centre of mass and the body's size times the angle, and the two may have very different
+/// roundings.
+pub(super) fn floors(
+    system: &System,
+    reference: &Reference,
+    growth: &[Reading; 6],
+    roundings: [f64; 6],
+) -> [Reading; 6] {
     let last = reference.uncertainty[reference.uncertainty.len() - 1];
     let mut floors = *growth;
+    let size = 2.0 * system.body.extent();
+    let of_point = |place: fn(&Reading) -> f64| {
+        let of_parts = place(&growth[0]) * roundings[0] + size * place(&growth[2]) * roundings[2];
+        of_parts.min(place(&growth[5]) * roundings[5]) / roundings[5]
+    };
+    floors[5] = Reading { end: of_point(|reading| reading.end), max: of_point(|reading| reading.max) };
     for (index, floor) in floors.iter_mut().enumerate() {
         let largest = reference.uncertainty.iter().map(|u| u[index]).fold(0.0, f64::max);
         *floor = Reading {

@@ -19,6 +19,7 @@ pub mod forces;
 mod free;
 mod placed;
 mod point_cloud;
+pub mod retold;
 mod rotor;
 mod snapshot;
 mod system;

@@ -185,7 +185,8 @@ fn run(flaw: Flaw, system: &System, _form: Form, plan: &Plan, store: &mut dyn Fn
 impl<'a> Copy<'a> {
     fn new(system: &'a System, flaw: Flaw) -> Copy<'a> {
         let masses: Vec<f64> = system.body.points.iter().map(|p| p.mass).collect();
-        let body_arms: Vec<V3> = system.body.points.iter().map(|p| p.position).collect();
+        let points = system.body.points.iter().map(|p| p.position);
+        let body_arms: Vec<V3> = points.chain(system.forces.markers().iter().copied()).collect();
         let pivot = system.body.pivoted.then(|| system.origin());
         let (start_inertia, start_arms) = (Matrix3::zeros(), Vec::new());
         let mut copy = Copy { system, masses, body_arms, pivot, start_inertia, start_arms, flaw };

@@ -52,6 +52,12 @@ fn noisy(seed: u64, count: i32, deviation: f64, error: impl Fn(f64) -> f64) -> R
         .collect()
 }
 
+/// Four rungs of a pure power, off by up to 3 %.
+fn off_by_three_percent(power: f64) -> Rungs {
+    let off = [1.0, 1.03, 0.97, 1.01];
+    ladder(4, 2.0, 0.0, |h| h.powf(power)).iter().zip(off).map(|((h, e, f), off)| (*h, e * off, *f)).collect()
+}
+
 /// Two vectors that nearly cancel at h = 0.02: a hᵖ − b hᵖ⁺¹.
 fn cancelling(h: f64) -> f64 {
     h.powi(2) * ((1.0 - h / 0.02).powi(2) + 1e-6).sqrt()
@@ -82,6 +88,8 @@ rows! {
     "first order hidden under second, seen", 2, Fail, ladder(18, 2.0, 0.0, |h| h * h + 0.01 * h);
     "first order hidden under second, on its way", 2, Inconclusive, ladder(9, 2.0, 0.0, |h| h * h + 0.01 * h);
     "second order under a larger third", 2, Inconclusive, ladder(8, 2.0, 0.0, |h| 0.005 * h * h + h.powi(3));
+    "second order under a larger third, flat enough for a window", 2, Inconclusive, ladder(7, std::f64::consts::SQRT_2, 0.0, |h| 0.05 * h * h + h.powi(3));
+    "third order, claimed second, over a short range", 2, Fail, ladder(7, std::f64::consts::SQRT_2, 0.0, |h| h.powi(3) + 0.05 * h.powi(4));
     "second order under a larger third, seen", 2, Pass, ladder(16, 2.0, 0.0, |h| 0.005 * h * h + h.powi(3));
     "third order, claimed second, with a fourth", 2, Fail, halved(|h| h.powi(3) + 0.2 * h.powi(4));
     "two terms that cancel at a fine step", 2, Inconclusive, ladder(7, 2.0, 0.0, cancelling);
@@ -99,6 +107,7 @@ rows! {
     "infinite at the coarse steps", 2, Pass, halved(|h| if h > 0.2 { f64::INFINITY } else { h * h });
     "noise of a hundredth", 2, Pass, noisy(1, 10, 0.01, |h| h * h);
     "noise of a twentieth", 2, Inconclusive, noisy(11, 4, 0.05, |h| h * h);
+    "order 2.1 with errors of 3 %", 2, Inconclusive, off_by_three_percent(2.1);
     "noise of a third", 2, Inconclusive, noisy(3, 10, 0.33, |h| h * h);
     "first order with noise of a hundredth", 2, Fail, noisy(4, 10, 0.01, |h| h);
     "every other error doubled", 1, Inconclusive, halved(|h| if (h.log2() as i64) % 2 == 0 { h } else { 2.0 * h });

@@ -1,11 +1,12 @@
 //! The verifier verified: defects are planted, and each must turn a gate red; a faithful copy of the scheme must stay green.
 //!
 //! A defect stands in the scheme (a copy of it on mass points, in plain loops), in a force law, in the start of a run, in what a run
-//! shows of its state, in the reference, or in what is claimed. It is judged in scene after scene until two gates have caught
+//! shows of its state, in the reference, in a metric, in what is claimed, or in the judge of orders. It is judged in scene after scene until two gates have caught
 //! it.
 
 mod copy;
 pub mod ladders;
+mod measured;
 pub mod noise;
 mod planted;
 pub mod random;
@@ -52,7 +53,7 @@ const SAMPLES: usize = 64;
 pub struct Outcome {
     /// What is wrong, in words.
     pub name: String,
-    /// Where it stands: scheme, law, start, shown, claim or reference.
+    /// Where it stands: scheme, law, start, shown, claim, reference, metric or judge.
     pub place: &'static str,
     /// The claims whose gates went red.
     pub caught_by: BTreeSet<String>,
@@ -104,6 +105,7 @@ fn defects() -> Vec<Defect> {
         ("shown", planted::SHOWN),
         ("claim", planted::CLAIMS),
         ("reference", planted::REFERENCES),
+        ("metric", measured::METRICS),
     ];
     let others = others.into_iter().flat_map(|(place, rows)| {
         rows.iter().map(move |(name, plant, scenes)| Defect {
@@ -133,6 +135,7 @@ pub fn run(progress: &(dyn Fn(usize, usize) + Sync)) -> Findings {
     let defects = defects();
     let done = AtomicUsize::new(0);
     let tick = || progress(done.fetch_add(1, Ordering::Relaxed) + 1, defects.len() + 1);
+    let judges = ladders::WRONG_JUDGES.iter().map(told_judge);
     let held_against_the_copy = held_against_the_copy();
     tick();
     let outcomes = defects
@@ -143,8 +146,30 @@ pub fn run(progress: &(dyn Fn(usize, usize) + Sync)) -> Findings {
             tick();
             outcome
         })
-        .collect();
+        .collect::<Vec<Outcome>>();
+    let outcomes = outcomes.into_iter().chain(judges).collect();
     Findings { outcomes, held_against_the_copy, complete: !interrupt::requested() }
+}
+
+/// A wrong judge is caught by the made-up ladders on which it says something else than the right one.
+fn told_judge(judge: &ladders::WrongJudge) -> Outcome {
+    Outcome {
+        name: format!("judge that {}", judge.name),
+        place: "judge",
+        caught_by: judge.told_by().map(|row| format!("ladder-{}", ruling_word(row.right))).collect(),
+        scenes: Vec::new(),
+    }
+}
+
+/// The word of a ruling, for the column of the matrix: ladders that should pass, fail, and so on.
+fn ruling_word(ruling: Ruling) -> &'static str {
+    match ruling {
+        Ruling::Pass => "pass",
+        Ruling::Fail => "fail",
+        Ruling::Inconclusive => "inconclusive",
+        Ruling::NotApplicable => "not-applicable",
+        Ruling::Broken => "broken",
+    }
 }
 
 fn held_against_the_copy() -> Vec<String> {
@@ -195,7 +220,8 @@ fn verdicts(plant: &Plant, scene: &str) -> Vec<Verdict> {
         }
         Plant::Shown(change) => judge(bent(System::clone, change), scene),
         Plant::Claims(name, claims) => judge(claiming(name, claims), scene),
-        Plant::Reference(change) => judge_against(change, scene),
+        Plant::Reference(change) => judge_against(change, None, scene),
+        Plant::Metric(measure) => judge_against(|_| (), Some(measure), scene),
     }
 }
 
@@ -236,8 +262,8 @@ fn judge(contestant: Contestant, scene: &str) -> Vec<Verdict> {
     campaign.run().verdicts
 }
 
-/// The scheme against a reference that is wrong.
-fn judge_against(change: fn(&mut Reference), scene: &str) -> Vec<Verdict> {
+/// The scheme against a reference that is wrong, or with errors that are measured wrongly.
+fn judge_against(change: fn(&mut Reference), measure: Option<planted::Measure>, scene: &str) -> Vec<Verdict> {
     let Ok(scene) = Scene::find(scene) else { return Vec::new() };
     let stored = stored::find(&scene.name).ok().flatten();
     let Ok(mut reference) = Reference::of(&scene.system, scene.duration, SAMPLES, stored.as_ref()) else {
@@ -245,7 +271,10 @@ fn judge_against(change: fn(&mut Reference), scene: &str) -> Vec<Verdict> {
     };
     change(&mut reference);
     let contestant = Contestant::new::<PeskinRk2>();
-    let evidence = metrics::climb(&contestant, &scene.system, &reference, 2, true);
+    let mut evidence = metrics::climb(&contestant, &scene.system, &reference, 2, true);
+    if let Some(measure) = measure {
+        evidence = measured::mismeasured(&contestant, &scene.system, &reference, 2, evidence, measure);
+    }
     gates::judge(&Case {
         scene: &scene.name,
         not_for_order: scene.not_for_order.as_deref(),

@@ -4,6 +4,7 @@
 use nalgebra::Vector3;
 
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
+use crate::metrics::Reading;
 use crate::model::forces::{Forces, Law, TorqueAxes};
 use crate::model::{Snapshot, System};
 use crate::reference::Reference;
@@ -24,7 +25,12 @@ pub(super) enum Plant {
     Claims(&'static str, &'static [Claim]),
     /// The reference is another motion.
     Reference(fn(&mut Reference)),
+    /// Errors are measured wrongly: the six of a run and its reference, at one place.
+    Metric(Measure),
 }
+
+/// Errors of a run against its reference, at the end and at most, in the order of [`Quantity::ALL`].
+pub(super) type Measure = fn(&System, &[Snapshot], &[Snapshot]) -> [Reading; 6];
 
 /// A defect outside the scheme: its name, how it is planted, and the scenes that show it.
 pub(super) type Row = (&'static str, Plant, &'static [&'static str]);
@@ -71,6 +77,12 @@ pub(super) const LAWS: &[Row] = &[
     ("gravity gradient along a fixed direction", Plant::Law(gradient_fixed), &["satellite-gravity-gradient"]),
     ("moment of the dipole turned over", Plant::Law(dipole_over), &["dipole-in-field"]),
     (
+        "frequency in hertz",
+        Plant::Law(|law| lorentz(law, |l| l.frequency *= std::f64::consts::TAU)),
+        &["time-dependent-field"],
+    ),
+    ("gravity gradient turning backwards", Plant::Law(gradient_backwards), &["satellite-gravity-gradient"]),
+    (
         "torque of body axes taken in world axes",
         Plant::Law(torque_in_world),
         &["spinning-coin", "sciml-rigidbody-wpd"],
@@ -97,6 +109,9 @@ pub(super) const STARTS: &[Row] = &[
     ),
     ("principal moments in another order", Plant::Start(moments_in_other_order), FREE),
     ("degrees for radians", Plant::Start(|s| s.start.angular_momentum *= 180.0 / std::f64::consts::PI), FREE),
+    ("spin of the other hand", Plant::Start(|s| s.start.angular_momentum = -s.start.angular_momentum), FREE),
+    ("velocity in km/h", Plant::Start(|s| s.start.velocity *= 3.6), &["tether-springs"]),
+    ("length in feet", Plant::Start(|s| s.start.position /= 0.3048), &["tether-springs"]),
     ("mass in another unit", Plant::Start(|s| s.body.mass *= 1.0 / 0.453_592_37), &["tether-springs"]),
 ];
 
@@ -296,6 +311,12 @@ fn gradient_third(law: &mut Law) {
 fn gradient_fixed(law: &mut Law) {
     if let Law::GravityGradient(gradient) = law {
         gradient.rate = 0.0;
+    }
+}
+
+fn gradient_backwards(law: &mut Law) {
+    if let Law::GravityGradient(gradient) = law {
+        gradient.rate = -gradient.rate;
     }
 }
 

@@ -165,6 +165,16 @@ fn a_bad_law_is_refused_with_line_and_key() {
 }
 
 #[test]
+fn a_spring_off_the_line_of_a_rod_is_refused_and_one_on_it_is_not() {
+    let spring = |at: &str| {
+        format!("{ROD}[[forces]]\nlaw = \"spring\"\nat = {at}\nanchor = [0, 0, 2]\nstiffness = 1.0")
+    };
+    assert_refused(&[body(&spring("[0.5, 0.1, 0.0]"), 7, "forces[0].at", "fastened on its line")]);
+    Scene::parse(&body(&spring("[0.5, 0.0, 0.0]"), 0, "", "").text, "scene.toml")
+        .expect("a spring on the rod");
+}
+
+#[test]
 fn an_error_reads_as_one_sentence_with_file_line_and_key() {
     let bad = law("law = \"spring\"\npoint = 0\nstiffness = true", 15, "forces[1].stiffness", "");
     let error = Scene::parse(&bad.text, "scene.toml").expect_err("no number");

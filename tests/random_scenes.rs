@@ -1,0 +1,63 @@
+//! Correct schemes in scenes that nobody has chosen: none fails, nearly all is decided, and the scenes are what they should be.
+
+use polhode::model::body::Shape;
+use polhode::scenes::random;
+use polhode::self_test::random as correct_schemes;
+
+#[test]
+fn no_correct_scheme_fails_in_a_hundred_random_scenes() {
+    let findings = correct_schemes::run(20, 100, &|_, _| ());
+    let against: Vec<String> = findings
+        .against
+        .iter()
+        .map(|f| {
+            format!(
+                "{}: {} {} {}: {}",
+                f.number, f.verdict.scheme, f.verdict.claim, f.verdict.quantity, f.verdict.detail
+            )
+        })
+        .collect();
+    assert!(against.is_empty(), "{against:#?}");
+    assert!(findings.sound() && findings.scenes == 100);
+    // Of a scheme in a scene, as its gate ends.
+    assert!(findings.gates.decided() >= 0.9, "{:?}", findings.gates);
+    assert!(findings.gates.all() == 100 * correct_schemes::SCHEMES.len());
+    for finding in &findings.undecided {
+        assert!(!finding.verdict.detail.is_empty(), "{finding:?}");
+    }
+    assert_eq!(findings.causes().values().sum::<usize>(), findings.undecided.len());
+}
+
+#[test]
+fn a_thousand_random_texts_are_scenes_of_every_kind() {
+    let scenes: Vec<_> = (0..1000).map(|number| random::scene(1, number).expect("a scene")).collect();
+    let some = |what: &str, is: &dyn Fn(&polhode::scenes::Scene) -> bool| {
+        let count = scenes.iter().filter(|scene| is(scene)).count();
+        assert!((10..=990).contains(&count), "{what}: {count} of 1000");
+    };
+    some("points", &|s| s.system.body.shape == Shape::Point);
+    some("rods", &|s| matches!(s.system.body.shape, Shape::Rod { .. }));
+    some("pivots", &|s| s.system.body.pivoted);
+    some("no force", &|s| s.system.forces.laws().is_empty());
+    some("several laws", &|s| s.system.forces.laws().len() >= 3);
+    some("twelve points", &|s| s.system.body.points.len() == 12);
+    some("moments a thousand apart", &|s| {
+        let moments = s.system.body.moments;
+        s.system.body.shape == Shape::Extended && moments.max() > 1e3 * moments.min()
+    });
+    for (law, _) in polhode::model::forces::Law::NAMES {
+        some(law, &|s| s.system.forces.laws().iter().any(|own| own.name() == law));
+    }
+    for scene in &scenes {
+        let body = &scene.system.body;
+        assert!(body.points.len() <= 12);
+        assert!(body.shape != Shape::Extended || body.moments.max() <= 1.01e4 * body.moments.min());
+    }
+}
+
+#[test]
+fn a_random_scene_is_the_same_whenever_it_is_drawn_and_another_for_another_seed() {
+    assert_eq!(random::text(3, 17), random::text(3, 17));
+    assert_ne!(random::text(3, 17), random::text(4, 17));
+    assert_ne!(random::text(3, 17), random::text(3, 18));
+}

@@ -1,0 +1,79 @@
+//! The floor of rounding is measured by moved starts. What rounding really does is seen by running the same steps in a turned
+//! world: the motion is the same, every rounding is another.
+
+use nalgebra::Vector3;
+use polhode::metrics::{self, Evidence};
+use polhode::model::{Change, Quantity, difference};
+use polhode::reference::{Reference, stored};
+use polhode::rotation;
+use polhode::scenes::{self, Scene};
+use polhode::simulate::{Contestant, Form, Plan};
+
+/// Errors below this many floors are taken for rounding.
+const CLEAR: f64 = 10.0;
+
+fn contestant(name: &str) -> Contestant {
+    Contestant::all().into_iter().find(|c| c.card.name == name).expect("a scheme of the list")
+}
+
+/// A ladder whose floors are those of rounding alone: against a reference that claims to know everything.
+fn ladder(scene: &Scene, contestant: &Contestant) -> (Reference, Evidence) {
+    let stored = stored::find(&scene.name).expect("readable");
+    let mut reference =
+        Reference::of(&scene.system, scene.duration, 64, stored.as_ref()).expect("a reference");
+    reference.uncertainty.iter_mut().for_each(|uncertainty| *uncertainty = [0.0; 6]);
+    let evidence = metrics::climb(contestant, &scene.system, &reference, 2, false);
+    (reference, evidence)
+}
+
+/// Largest difference of the finest run from itself in two turned worlds, over its floor; by quantity.
+fn of_floor(scene: &Scene, contestant: &Contestant) -> Option<[f64; 6]> {
+    let (_, evidence) = ladder(scene, contestant);
+    let rung = evidence.rungs.iter().rev().find(|rung| rung.outcome.broken.is_none())?;
+    let plan = Plan { step: rung.step, steps: rung.steps, every: rung.steps };
+    let own = *contestant.run(&scene.system, Form::Least, &plan).states.last()?;
+    let mut largest = [0.0; 6];
+    for turn in [Vector3::new(0.9, -1.3, 0.4), Vector3::new(-0.2, 0.7, 1.9)] {
+        let change = Change { turn: rotation::turn(&turn), ..Change::none() };
+        let other = contestant.run(&change.apply(&scene.system), Form::Least, &plan);
+        let apart = difference(&scene.system.body, &change.undo(other.states.last()?), &own);
+        for index in 0..6 {
+            // A quantity that does not move at all has neither rounding nor a floor.
+            if apart[index] > 0.0 {
+                largest[index] = f64::max(largest[index], apart[index] / rung.floors[index].end);
+            }
+        }
+    }
+    Some(largest)
+}
+
+#[test]
+fn the_floor_of_rounding_covers_what_rounding_does_in_every_scene() {
+    let mut all = Vec::new();
+    for scheme in ["peskin-rk2", "rk4-quaternion", "implicit-midpoint"] {
+        let contestant = contestant(scheme);
+        for scene in scenes::built_in() {
+            if contestant.refusal(&scene.system).is_some() {
+                continue;
+            }
+            let Some(ratios) = of_floor(&scene, &contestant) else { continue };
+            for (ratio, quantity) in ratios.into_iter().zip(Quantity::ALL) {
+                assert!(
+                    ratio <= CLEAR,
+                    "{scheme} in {}: rounding moves {} by {ratio:.1} floors",
+                    scene.name,
+                    quantity.name()
+                );
+                if ratio > 0.0 {
+                    all.push((ratio, scheme, scene.name.clone(), quantity.name()));
+                }
+            }
+        }
+    }
+    all.sort_by(|a, b| b.0.total_cmp(&a.0));
+    all.iter().take(12).for_each(|row| println!("{row:?}"));
+    let median = all[all.len() / 2].0;
+    println!("{} differences, median {median:.3} of the floor", all.len());
+    // It is no floor of another order of magnitude either.
+    assert!(all.len() > 200 && median > 0.01, "{} {median}", all.len());
+}
