@@ -6,6 +6,7 @@ mod exit;
 mod gate;
 mod judge;
 mod list;
+mod reference;
 mod report;
 mod run;
 mod select;
@@ -75,6 +76,8 @@ enum Command {
     Engine(engine::Options),
     /// Judge a trajectory that another program wrote
     Judge(judge::Options),
+    /// Solve a scene to many digits, with a bound of the error
+    Reference(reference::Options),
     /// Plant defects: each must turn a gate red
     SelfTest(self_test::Options),
     /// List what there is
@@ -118,6 +121,7 @@ fn dispatch(arguments: Arguments) -> Result<u8, Failure> {
         Command::Run(options) => run::run(&options),
         Command::Engine(options) => engine::engine(&options),
         Command::Judge(options) => judge::judge(&options),
+        Command::Reference(options) => reference::reference(&options, everywhere.quiet),
         Command::SelfTest(options) => self_test::self_test(&options, everywhere.quiet),
         Command::List(options) => list::list(&options),
     }?;

@@ -12,6 +12,7 @@
 mod agreement;
 pub mod dop853;
 pub mod equations;
+pub mod precise;
 pub mod run;
 mod sample;
 mod sources;
@@ -58,6 +59,15 @@ pub enum ReferenceError {
         /// What the solver says.
         reason: String,
     },
+    /// A law that no Taylor series crosses.
+    #[error("law '{law}' has a kink: no Taylor series crosses it")]
+    Kink {
+        /// Name of the law.
+        law: &'static str,
+    },
+    /// The user asked for the end.
+    #[error("interrupted")]
+    Interrupted,
     /// Times that cannot be sampled.
     #[error(
         "a reference needs a positive duration and a multiple of 4 samples; got {duration} s and {samples} samples"

@@ -6,9 +6,10 @@
 use std::fmt::Write as _;
 
 use nalgebra::Vector3;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
+use super::precise::Motion;
 use super::sample::{Reader, Sample};
 use crate::model::{Snapshot, System};
 
@@ -83,7 +84,7 @@ pub enum StoredError {
 }
 
 /// A stored solution as it stands in its file.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct Stored {
     schema: String,
@@ -160,6 +161,38 @@ impl Stored {
             return Err(StoredError::Checksum { scene: stored.scene, stated: stored.sha256, found });
         }
         Ok(stored)
+    }
+
+    /// A solution of ours, to so many digits, ready to be written.
+    pub fn of(scene: &str, system: &System, motion: &Motion, digits: usize) -> Stored {
+        let [(order, _), (other, _)] = motion.runs;
+        let samples = motion.moments.iter().map(|moment| Sample::of(system, moment, digits)).collect();
+        let largest = motion.moments.iter().flat_map(|moment| moment.error).fold(0.0, f64::max);
+        let mut stored = Stored {
+            schema: SCHEMA.to_owned(),
+            scene: scene.to_owned(),
+            origin: format!(
+                "Taylor series of order {order} in double-double arithmetic, held against a second run of order \
+                 {other} with other steps"
+            ),
+            digits: digits as u32,
+            agreement: format!("{largest:.2e}"),
+            samples,
+            sha256: String::new(),
+        };
+        stored.sha256 = stored.checksum();
+        stored
+    }
+
+    /// The text of its file.
+    ///
+    /// # Errors
+    /// What serde_json says.
+    pub fn text(&self) -> Result<String, serde_json::Error> {
+        let mut text = Vec::new();
+        let formatter = serde_json::ser::PrettyFormatter::with_indent(b" ");
+        self.serialize(&mut serde_json::Serializer::with_formatter(&mut text, formatter))?;
+        Ok(String::from_utf8_lossy(&text).into_owned() + "\n")
     }
 
     /// Number of samples.
