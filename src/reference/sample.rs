@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::precise::{DoubleDouble, Moment, decimal};
 use super::stored::{Stored, StoredError};
+use crate::model::body::Shape;
 use crate::model::{Snapshot, System};
 use crate::rotation::{self, Rotation};
 
@@ -77,6 +78,19 @@ impl Sample {
     }
 }
 
+/// The orientation of a rod with the rounding of its fit turned away, by its farthest point.
+fn along_the_places(fit: &Rotation, points: &[Vector3<f64>], places: &[Vector3<f64>]) -> Rotation {
+    let farther = |a: &(&Vector3<f64>, &Vector3<f64>), b: &(&Vector3<f64>, &Vector3<f64>)| {
+        a.0.norm_squared().total_cmp(&b.0.norm_squared())
+    };
+    match points.iter().zip(places).max_by(farther) {
+        Some((x, place)) if *x != Vector3::zeros() => {
+            rotation::turn(&((fit * x).cross(place) / x.norm_squared())) * fit
+        }
+        _ => *fit,
+    }
+}
+
 /// A sample on its way to numbers.
 pub(super) struct Reader<'a> {
     pub stored: &'a Stored,
@@ -112,7 +126,8 @@ impl Reader<'_> {
     pub fn snapshot(&self, system: &System) -> Result<Snapshot, StoredError> {
         let orientation = self.orientation(system)?;
         let angular_velocity = self.vector("W", &self.sample.W)?;
-        let (position, velocity) = if system.body.pivoted {
+        let given = self.sample.X_cm.is_some() && self.sample.U_cm.is_some();
+        let (position, velocity) = if system.body.pivoted && !given {
             let arm = orientation * system.body.center;
             (system.origin() + arm, angular_velocity.cross(&arm))
         } else {
@@ -141,6 +156,10 @@ impl Reader<'_> {
                 rotation::from_matrix(&Matrix3::from_rows(&rows.map(|row| row.transpose())))
             }
             None => rotation::best_fit(&points, &places, &masses),
+        };
+        let orientation = match system.body.shape {
+            Shape::Rod { .. } => along_the_places(&orientation, &points, &places),
+            Shape::Point | Shape::Extended => orientation,
         };
         let apart = |(x, place): (&Vector3<f64>, &Vector3<f64>)| rotation::length(&(orientation * x - place));
         let farthest = points.iter().zip(&places).map(apart).fold(0.0, f64::max);

@@ -10,7 +10,7 @@
 //! ```
 //!
 //! The tape is written by [`Node`]s that add and multiply like numbers; what is constant is worked out on the way.
-//! Source: jorba2005, section 2.
+//! Source: jorba2005, section 2; (1) is summed as in ogita2005.
 
 use std::cell::RefCell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -201,7 +201,7 @@ impl Coefficient {
     }
 }
 
-/// Σ aⱼ b₋ⱼ: exact products, their sum and its errors kept apart (Ogita, Rump, Oishi's dot product).
+/// Σ aⱼ b₋ⱼ: exact products, their sum and its errors kept apart (ogita2005).
 fn convolution(a: &[Coefficient], b: &[Coefficient]) -> DoubleDouble {
     let (mut sum, mut rest) = (0.0, 0.0);
     for (a, b) in a.iter().zip(b.iter().rev()) {
