@@ -30,17 +30,33 @@ fn turned(states: &[Snapshot], duration: f64) -> f64 {
     duration * states.iter().map(|s| rotation::length(&s.angular_velocity)).fold(0.0, f64::max)
 }
 
-/// What a relative change of L by one unit becomes at each time, over 1 + |Ω| t and no less than 1.
+/// |L|/I of the smallest moment above zero: |Ω| is no more than that. For a body as thin as 26 : 1 the formulas take the
+/// difference of two such rates, which costs the 26.
+fn fastest(system: &System) -> f64 {
+    let moments = system.body.moments;
+    let smallest = moments.iter().copied().filter(|x| *x > 0.0).fold(f64::INFINITY, f64::min);
+    rotation::length(&system.start.angular_momentum) / smallest
+}
+
+/// What a relative change of L or of a moment by one unit becomes at each time, over 1 + |Ω| t and no less than 1.
 fn condition(system: &System, states: &[Snapshot]) -> Vec<f64> {
     const CHANGE: f64 = 1e-12;
     let times: Vec<f64> = states.iter().map(|s| s.time).collect();
     let mut condition = vec![1.0f64; times.len()];
-    for axis in 0..3 {
+    for change in 0..6 {
         let mut other = system.clone();
         let principal = system.start.orientation * system.body.principal;
         let mut momentum = principal.inverse_transform_vector(&system.start.angular_momentum);
-        momentum[axis] *= 1.0 + CHANGE;
+        let mut moments = system.body.moments;
+        if change < 3 {
+            momentum[change] *= 1.0 + CHANGE
+        } else {
+            moments[change - 3] *= 1.0 + CHANGE
+        }
         other.start.angular_momentum = principal * momentum;
+        let axes = system.body.principal.to_rotation_matrix().into_inner();
+        other.body.inertia +=
+            axes * Matrix3::from_diagonal(&(moments - system.body.moments)) * axes.transpose();
         for (j, (a, b)) in exact(&other, &times).iter().zip(states).enumerate() {
             let apart = difference(&system.body, a, b);
             let turned = 1.0 + rotation::length(&b.angular_velocity) * times[j];
@@ -76,18 +92,17 @@ fn closed_forms_are_found_by_what_a_system_is() {
 fn closed_forms_are_good_to_a_few_units_a_radian_and_say_so() {
     let mut count = 0;
     for scene in scenes::built_in() {
-        let mut worst = 0.0f64;
+        let fastest = fastest(&scene.system);
         let times = grid(scene.duration);
         let Some(found) = closed::solve(&scene.system, &times) else { continue };
         let exact = exact(&scene.system, &times);
         let condition = condition(&scene.system, &exact);
         for (j, state) in found.states.iter().enumerate() {
             let error = difference(&scene.system.body, state, &exact[j]);
-            let turned = 1.0 + rotation::length(&exact[j].angular_velocity) * times[j];
-            // Measured: 23 units where a body starts near its separatrix, where the phase is the difference of two long
-            // integrals (osrf-boxes-complex); 10 and less in other scenes.
-            let bound = 32.0 * f64::EPSILON * turned * condition[j];
-            worst = worst.max(error[2] / (f64::EPSILON * turned * condition[j]));
+            let turned = 1.0 + fastest * times[j];
+            // Measured: 8.3 units where a body starts near its separatrix, where the phase is the difference of two long
+            // integrals (osrf-boxes-complex); 6 and less in other scenes.
+            let bound = 16.0 * f64::EPSILON * turned * condition[j];
             assert!(error[2] <= bound, "{} at {} s: {:e} > {bound:e}", scene.name, times[j], error[2]);
             let sizes = [
                 rotation::length(&exact[j].position) + scene.system.body.extent(),
@@ -108,7 +123,6 @@ fn closed_forms_are_good_to_a_few_units_a_radian_and_say_so() {
                 );
             }
         }
-        println!("{}: {worst:.1} units", scene.name);
         count += 1;
     }
     assert_eq!(count, 19);
@@ -167,20 +181,22 @@ fn period(system: &System, longest: f64) -> (f64, DoubleDouble) {
     let farthest = distances.iter().copied().fold(0.0, f64::max);
     let left = distances.iter().position(|d| *d > 0.5 * farthest).expect("leaves");
     let near = |j: &usize| distances[*j] < distances[j - 1] && distances[*j] <= distances[j + 1];
-    let back = (left + 1..4095)
-        .filter(near)
-        .find(|j| distances[*j] < 0.005 * farthest)
-        .unwrap_or_else(|| panic!("comes back: {longest} s is too short"));
-    let mut time = times[back];
-    for _ in 0..8 {
-        let late = late(system, &start, time);
-        time -= late.high;
+    for back in (left + 1..4095).filter(near) {
+        let mut time = times[back];
+        for _ in 0..8 {
+            time -= late(system, &start, time).0.high;
+        }
+        let (late, apart) = late(system, &start, time);
+        // A thin polhode comes close to itself without coming back.
+        if apart < 1e-12 * farthest {
+            return (time, late);
+        }
     }
-    (time, late(system, &start, time))
+    panic!("{longest} s are too short");
 }
 
-/// (l − l₀)·l'/|l'|² with l' = l × ω in body axes.
-fn late(system: &System, start: &[DoubleDouble; 3], time: f64) -> DoubleDouble {
+/// (l − l₀)·l'/|l'|² with l' = l × ω in body axes, and |l − l₀|.
+fn late(system: &System, start: &[DoubleDouble; 3], time: f64) -> (DoubleDouble, f64) {
     let moment = &precise::solve(system, &[time], 100.0 * AFFORDABLE).expect("a motion").moments[0];
     let l = body_momentum(moment);
     let spin = moment.angular_velocity;
@@ -191,7 +207,7 @@ fn late(system: &System, start: &[DoubleDouble; 3], time: f64) -> DoubleDouble {
         along += (l[i] - start[i]) * rate[i];
         square += rate[i] * rate[i];
     }
-    along / square
+    (along / square, apart(&l, start))
 }
 
 /// A free body comes back after a period but for a turn P about L, so that R(N T) = Pᴺ R(0): squared seventeen times in
@@ -261,11 +277,11 @@ fn holds(name: &str, system: &System, time: f64, exact: &Rotation) -> f64 {
         }
         _ => rotation::angle_between(&state.orientation, exact),
     };
-    let units = error / f64::EPSILON / turned;
+    let units = error / f64::EPSILON / (1.0 + time * fastest(system));
     let stated = found.uncertainty[0][2];
-    println!("{name}: {turned:.1e} rad, error {error:.1e}, {units:.2} units a radian, stated {stated:.1e}");
+    // Measured: 0.2 to 2.1 units a radian of the fastest rate; 53 a radian of |Ω| for the thin body.
     assert!(error <= stated + 4.0 * f64::EPSILON, "{name}: {error:e} > {stated:e}");
-    assert!(units < 8.0, "{name}: {units}");
+    assert!(units < 6.0, "{name}: {units}");
     stated / error.max(0.5 * f64::EPSILON * turned)
 }
 

@@ -6,7 +6,7 @@ use crate::model::System;
 
 /// Relative change that stands for the roundings of an evaluation: moments from an eigenvalue problem, L turned into
 /// principal axes, and the formulas themselves.
-pub(super) const NUDGE: f64 = 8.0 * f64::EPSILON;
+pub(super) const NUDGE: f64 = 16.0 * f64::EPSILON;
 
 /// Signs of the changes along the principal axes, of L and, reversed, of the moments.
 pub(super) const DIRECTIONS: [[f64; 3]; 4] =
