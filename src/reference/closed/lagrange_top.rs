@@ -18,11 +18,11 @@
 //!
 //! Source: whittaker1937, chapter VI, for (1) and (2); klein1897 for the parameters; (3)–(7) derived here.
 
-use nalgebra::{Quaternion, Vector3};
+use nalgebra::{Matrix3, Quaternion, Vector3};
 
 use super::top_roots::{Start, roots};
 use crate::elliptic::{Amplitude, amplitude, argument_of, integral_of_the_third_kind};
-use crate::model::body::Shape;
+use crate::model::body::{Body, Shape};
 use crate::model::{Snapshot, System};
 use crate::rotation::{self, Rotation};
 
@@ -42,6 +42,34 @@ struct Parameter {
     phase: f64,
     /// (p ± s)/(2 (1 ± z₁) λ).
     rate: f64,
+}
+
+impl Parameter {
+    /// By (3) from 1 ± z at z₁ and at z₂, (p ± s)/(2 λ), and the parameter at t = 0 with its derivative, which tells
+    /// the phase where the parameter is zero.
+    fn of(heights: [f64; 2], rate: f64, first: &Amplitude, value: [f64; 2], change: [f64; 2]) -> Parameter {
+        let [lowest, highest] = heights;
+        let passes = [lowest <= 0.0, lowest > 0.0 && highest <= 0.0];
+        let (sign, slope) = match passes {
+            [true, _] => (first.sine, first.cosine),
+            [_, true] => (first.cosine, -first.sine),
+            _ => (1.0, 1.0),
+        };
+        let [x, y] = if sign == 0.0 { change.map(|x| x * slope) } else { value.map(|x| x * sign) };
+        let (size, ratio) = if passes[0] { (highest, 0.0) } else { (lowest, highest / lowest) };
+        let rate = if passes.contains(&true) { 0.0 } else { rate / lowest };
+        Parameter { size: (0.5 * size).sqrt(), ratio, passes, phase: y.atan2(x), rate }
+    }
+}
+
+/// The axis of a symmetric body whose centre of mass is on it, and its moments across and along, about the pivot.
+fn moments(body: &Body) -> Option<(Vector3<f64>, [f64; 2])> {
+    let axis = body.center / rotation::length(&body.center);
+    let axial = if let Shape::Rod { .. } = body.shape { 0.0 } else { axis.dot(&(body.inertia * axis)) };
+    let across = 0.5 * (body.inertia.trace() - axial);
+    let symmetric = Matrix3::from_diagonal_element(across) + axis * axis.transpose() * (axial - across);
+    let fits = (body.inertia - symmetric).amax() <= SYMMETRIC * body.inertia.amax();
+    fits.then_some((axis, [across, axial]))
 }
 
 /// The constants of a motion.
@@ -70,25 +98,13 @@ pub(super) struct Top {
 impl Top {
     /// The constants of a system under `gravity` [m/s²], where it is such a top and not standing upright for good.
     pub(super) fn of(system: &System, gravity: &Vector3<f64>) -> Option<Top> {
-        let body = &system.body;
-        let own_axis = body.center / rotation::length(&body.center);
-        let along = body.inertia * own_axis;
-        let axial = if let Shape::Rod { .. } = body.shape { 0.0 } else { own_axis.dot(&along) };
-        let moment = 0.5 * (body.inertia.trace() - axial);
-        let symmetric = nalgebra::Matrix3::from_diagonal_element(moment)
-            + own_axis * own_axis.transpose() * (axial - moment);
-        if (body.inertia - symmetric).amax() > SYMMETRIC * body.inertia.amax() {
-            return None;
-        }
+        let (own_axis, [moment, axial]) = moments(&system.body)?;
         let start = Start::of(system, gravity, moment)?;
         let roots = roots(&start);
         let up = -gravity / rotation::length(gravity);
         let (upright, axis) = (rotation_to(&up), rotation_to(&own_axis).inverse());
         let lambda = 0.5 * (start.a * roots.span).sqrt();
-        let sine = (roots.above / roots.between).clamp(0.0, 1.0).sqrt();
-        let cosine = (roots.below / roots.between).clamp(0.0, 1.0).sqrt();
-        let (sine, cosine) = if roots.between > 0.0 { (sine, cosine) } else { (0.0, 1.0) };
-        let first = Amplitude { half_turns: 0.0, sine: sine.copysign(start.rising), cosine };
+        let first = roots.first(start.rising);
         let u = argument_of(first.sine, first.cosine, roots.complementary);
         if !u.is_finite() || lambda == 0.0 {
             return None;
@@ -96,42 +112,25 @@ impl Top {
         let q = upright.inverse() * system.start.orientation * axis.inverse();
         let momentum = upright.inverse_transform_vector(&system.start.angular_momentum) / moment;
         let change = Quaternion::from_imag(momentum) * q.into_inner() * 0.5;
-        let parameter = |size: f64, other: f64, rate: f64, value: [f64; 2], change: [f64; 2]| {
-            // By (3) from 1 ± z at z₁, and at z₂.
-            let passes = [size <= 0.0, size > 0.0 && other <= 0.0];
-            let value_now = match passes {
-                [true, _] => first.sine,
-                [_, true] => first.cosine,
-                _ => 1.0,
-            };
-            let slope = if passes[0] { first.cosine } else { -first.sine };
-            let [x, y] =
-                if value_now == 0.0 { change.map(|x| x * slope) } else { value.map(|x| x * value_now) };
-            let phase = y.atan2(x);
-            let (size, ratio) = if passes[0] { (other, 0.0) } else { (size, other / size) };
-            let rate = if passes.contains(&true) { 0.0 } else { rate / (2.0 * size * lambda) };
-            Parameter { size: (0.5 * size).sqrt(), ratio, passes, phase, rate }
+        let parameter = |heights: [f64; 2], rate: f64, value: [f64; 2], change: [f64; 2]| {
+            Parameter::of(heights, rate / (2.0 * lambda), &first, value, change)
         };
-        let s = start.s;
-        let alpha = parameter(roots.plus[0], roots.plus[1], start.sum, [q.w, q.k], [change.w, change.k]);
-        let beta =
-            parameter(roots.minus[0], roots.minus[1], start.difference, [q.i, q.j], [change.i, change.j]);
-        let own_rate = if axial == 0.0 { 0.0 } else { s * moment * ((moment - axial) / axial / moment) };
-        let (between, complementary) = (roots.between, roots.complementary);
+        let own_rate =
+            if axial == 0.0 { 0.0 } else { start.s * moment * ((moment - axial) / axial / moment) };
         Some(Top {
+            alpha: parameter(roots.plus, start.sum, [q.w, q.k], [change.w, change.k]),
+            beta: parameter(roots.minus, start.difference, [q.i, q.j], [change.i, change.j]),
+            between: roots.between,
+            complementary: roots.complementary,
             upright,
             axis,
             own_axis,
             start,
             own_rate,
             moment,
-            between,
-            complementary,
             lambda,
             first,
             u,
-            alpha,
-            beta,
         })
     }
 

@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use crate::elliptic::Amplitude;
 use crate::model::System;
 use crate::reference::precise::DoubleDouble;
 
@@ -50,6 +51,16 @@ pub(super) struct Roots {
     pub plus: [f64; 2],
     /// 1 − z₁ and 1 − z₂.
     pub minus: [f64; 2],
+}
+
+impl Roots {
+    /// sn u₀ with the sign of ż, and cn u₀.
+    pub(super) fn first(&self, rising: f64) -> Amplitude {
+        let root = |part: f64| (part / self.between).clamp(0.0, 1.0).sqrt();
+        let still = self.between <= 0.0;
+        let (sine, cosine) = if still { (0.0, 1.0) } else { (root(self.above), root(self.below)) };
+        Amplitude { half_turns: 0.0, sine: sine.copysign(rising), cosine }
+    }
 }
 
 /// Halvings of an interval, to the last bit of a double-double number.

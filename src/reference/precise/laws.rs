@@ -9,7 +9,7 @@ use nalgebra::Vector3;
 use super::double_double::DoubleDouble;
 use super::matter::Matter;
 use super::scale::Scale;
-use super::tape::{Node, Sheet};
+use super::sheet::{Node, Sheet};
 use super::triple::{Columns, Triple};
 use crate::model::System;
 use crate::model::forces::{

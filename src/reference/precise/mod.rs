@@ -12,6 +12,7 @@ mod laws;
 mod matter;
 mod problem;
 mod scale;
+mod sheet;
 mod solution;
 mod tape;
 mod taylor;

@@ -19,12 +19,14 @@ use super::double_double::DoubleDouble;
 use super::laws::{self, Load, Motion, Phase};
 use super::matter::{Matter, nudged};
 use super::scale::Scale;
-use super::tape::{Node, Sheet, Tape};
+use super::sheet::{Node, Sheet};
+use super::tape::Tape;
 use super::triple::{Columns, Triple};
 use crate::model::System;
 use crate::model::body::{Body, Shape};
 use crate::model::forces::Law;
 use crate::reference::ReferenceError;
+use crate::rotation::Rotation;
 
 /// Numbers that are read off a state: X_cm 3, U_cm 3, R column by column 9, Ω 3, L 3.
 pub(super) const SHOWN: usize = 21;
@@ -109,6 +111,12 @@ impl Problem {
     }
 }
 
+fn unit_quaternion(orientation: &Rotation) -> [DoubleDouble; 4] {
+    let values = [orientation.w, orientation.i, orientation.j, orientation.k].map(DoubleDouble::from);
+    let length = values.iter().fold(DoubleDouble::ZERO, |sum, x| sum + *x * *x).sqrt();
+    values.map(|x| x / length)
+}
+
 fn total<'a>(motion: &Motion<'a>, phases: &[Option<Phase<'a>>]) -> Result<Load<'a>, ReferenceError> {
     let none = Triple::zero(motion.sheet);
     let mut total = Load { force: none, torque: none };
@@ -164,10 +172,7 @@ impl<'a> Place<'a> {
             variables.add(&of(plain(&start.velocity, [0, 1, -1])), scale.speed);
             (origin, velocity) = (Triple::variable(sheet), Triple::variable(sheet));
         }
-        let q = start.orientation.quaternion();
-        let values = [q.w, q.i, q.j, q.k].map(DoubleDouble::from);
-        let length = values.iter().fold(DoubleDouble::ZERO, |sum, x| sum + *x * *x).sqrt();
-        let values = values.map(|x| x / length);
+        let values = unit_quaternion(&start.orientation);
         let turns = body.shape != Shape::Point;
         let quaternion = turns.then_some(variables.start.len());
         let attitude = if turns {

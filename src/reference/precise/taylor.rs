@@ -64,12 +64,8 @@ pub(super) fn along(
         let projected = if steps < ENOUGH { 0.0 } else { steps as f64 * work * last / reached.high };
         if end == reached || projected > most_work {
             let reason = format!("a step of {:e} s at order {order}", step * problem.scale.time);
-            return Err(ReferenceError::NoConvergence {
-                method: NAME,
-                time: seconds,
-                evaluations: steps,
-                reason,
-            });
+            let (method, time, evaluations) = (NAME, seconds, steps);
+            return Err(ReferenceError::NoConvergence { method, time, evaluations, reason });
         }
         while let Some(time) = wanted.next_if(|time| DoubleDouble::from(*time) <= end) {
             let mut shown = series.state(DoubleDouble::from(time) - reached);

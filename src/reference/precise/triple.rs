@@ -5,7 +5,7 @@ use std::ops::{Add, Sub};
 use nalgebra::Vector3;
 
 use super::double_double::DoubleDouble;
-use super::tape::{Node, Sheet};
+use super::sheet::{Node, Sheet};
 
 /// Three values: a vector.
 #[derive(Clone, Copy)]
