@@ -7,6 +7,8 @@ use crate::record::RecordError;
 use crate::report::ReportError;
 use crate::scenes::SceneError;
 
+/// Nothing failed, and something is undecided.
+pub(super) const UNDECIDED: u8 = 2;
 /// Wrong usage.
 pub(super) const USAGE: u8 = 64;
 /// Bad input: scene, records or log file.

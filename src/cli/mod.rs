@@ -8,6 +8,7 @@ mod gate;
 mod judge;
 mod list;
 mod peers;
+mod reference;
 mod report;
 mod run;
 mod select;
@@ -89,6 +90,8 @@ enum Command {
     Stability(stability::Options),
     /// Judge a trajectory that another program wrote
     Judge(judge::Options),
+    /// Solve a scene to many digits, with a bound of the error
+    Reference(reference::Options),
     /// Plant defects: each must turn a gate red
     SelfTest(self_test::Options),
     /// List what there is
@@ -137,6 +140,7 @@ fn dispatch(arguments: Arguments) -> Result<u8, Failure> {
         Command::Engine(options) => engine::engine(&options, everywhere.quiet),
         Command::Stability(options) => stability::stability(&options, everywhere.quiet),
         Command::Judge(options) => judge::judge(&options),
+        Command::Reference(options) => reference::reference(&options, everywhere.quiet),
         Command::SelfTest(options) => self_test::self_test(&options, everywhere.quiet),
         Command::List(options) => list::list(&options),
     }?;

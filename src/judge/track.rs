@@ -53,7 +53,8 @@ impl Track {
             let told = "the start itself".to_owned();
             return Ok(Track { kind: Kind::Solved(states), uncertainty: [0.0; 6], told });
         }
-        let reference = Reference::of(system, last, SAMPLES, None)?;
+        // The states below are those of dop853, and so is the uncertainty.
+        let reference = Reference::of_solvers(system, last, SAMPLES)?;
         let uncertainty = reference.largest_uncertainty();
         if times.len() <= ONE_BY_ONE && times.windows(2).all(|pair| pair[0] < pair[1]) {
             let states = dop853::solve(system, times, dop853::TOLERANCE)?.states;

@@ -1,19 +1,19 @@
 //! A reference and its uncertainty: what its sources disagree by.
 //!
-//! The best estimate is dop853, replaced by the stored solution at the times that it has. The uncertainty at a
-//! time is the largest of
+//! The best estimate is that of [`super::best`], replaced by the stored solution at the times that it has. The
+//! uncertainty at a time is the largest of
 //!
-//! 1. the largest difference of the two solvers so far: two solutions may cross, their errors do not vanish there;
+//! 1. that of the best estimate;
 //! 2. the difference of the best estimate from the stored solution at the next time that it has;
 //! 3. the rounding of the numbers themselves;
 //!
-//! and at a stored time the third alone. Where one solver fails, a second run of the other at a hundred times its
-//! tolerance stands in for it, and the sources say so.
+//! and at a stored time the third alone.
 
 use nalgebra::Vector3;
 
 use super::ReferenceError;
-use super::sources::{Pair, Role, Source, Spread, two_solutions};
+use super::best::{Best, by_solvers, gather, larger};
+use super::sources::{Role, Source, Spread};
 use super::stored::{Solution, Stored};
 use crate::model::{Quantity, Snapshot, System, difference};
 use crate::rotation;
@@ -49,16 +49,31 @@ impl Reference {
         samples: usize,
         stored: Option<&Stored>,
     ) -> Result<Reference, ReferenceError> {
-        if !(duration > 0.0 && duration.is_finite()) || samples == 0 || !samples.is_multiple_of(4) {
-            return Err(ReferenceError::Grid { duration, samples });
-        }
-        let times: Vec<f64> = (0..=samples).map(|j| j as f64 * duration / samples as f64).collect();
-        let pair = two_solutions(system, &times)?;
-        let mut reference = combine(system, times, pair);
+        let times = grid(duration, samples)?;
+        let best = gather(system, &times, &|state| rounding(system, state))?;
+        let mut reference = Reference::of_best(system, times, best);
         if let Some(stored) = stored {
             reference.hold_against(system, stored)?;
         }
         Ok(reference)
+    }
+
+    /// The motion as dop853 and tsit45 alone tell it: what is left where no series and no closed form is to be had.
+    ///
+    /// # Errors
+    /// [`ReferenceError`]: a grid that cannot be, no solver that converges.
+    pub fn of_solvers(system: &System, duration: f64, samples: usize) -> Result<Reference, ReferenceError> {
+        let times = grid(duration, samples)?;
+        let best = by_solvers(system, &times, &|state| rounding(system, state))?;
+        Ok(Reference::of_best(system, times, best))
+    }
+
+    fn of_best(system: &System, times: Vec<f64>, best: Best) -> Reference {
+        let Best { states, mut uncertainty, sources } = best;
+        for (uncertainty, state) in uncertainty.iter_mut().zip(&states) {
+            *uncertainty = larger(*uncertainty, &rounding(system, state));
+        }
+        Reference { times, states, uncertainty, sources }
     }
 
     /// The same motion at every `every`-th time, for runs of fewer steps than there are times.
@@ -180,26 +195,11 @@ impl Reference {
     }
 }
 
-fn combine(system: &System, times: Vec<f64>, pair: Pair) -> Reference {
-    let Pair { best, second, mut sources } = pair;
-    let mut largest = [0.0; 6];
-    let uncertainty = best
-        .states
-        .iter()
-        .zip(&second.states)
-        .map(|(a, b)| {
-            largest = larger(largest, &difference(&system.body, a, b));
-            larger(largest, &rounding(system, a))
-        })
-        .collect();
-    if let Some(source) = sources.iter_mut().find(|source| source.role == Role::Second) {
-        source.disagreement = Some(largest);
+fn grid(duration: f64, samples: usize) -> Result<Vec<f64>, ReferenceError> {
+    if !(duration > 0.0 && duration.is_finite()) || samples == 0 || !samples.is_multiple_of(4) {
+        return Err(ReferenceError::Grid { duration, samples });
     }
-    Reference { times, states: best.states, uncertainty, sources }
-}
-
-fn larger(a: Spread, b: &Spread) -> Spread {
-    std::array::from_fn(|i| a[i].max(b[i]))
+    Ok((0..=samples).map(|j| j as f64 * duration / samples as f64).collect())
 }
 
 /// What the rounding of a state makes of each quantity.
@@ -208,7 +208,8 @@ fn rounding(system: &System, state: &Snapshot) -> Spread {
     let position = rotation::length(&state.position);
     let sizes = [
         position + rotation::length(&system.body.center),
-        rotation::length(&state.velocity),
+        // With a pivot it is Ω × arm, which may be small where both are not.
+        rotation::length(&state.velocity) + spin * rotation::length(&system.body.center),
         1.0,
         spin,
         rotation::length(&state.angular_momentum),

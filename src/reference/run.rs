@@ -52,6 +52,22 @@ pub fn along<S: Solver>(equations: &Equations, times: &[f64], solver: &mut S) ->
     Ok(Run { states, evaluations: equations.evaluations() })
 }
 
+/// The last of increasing times [s]; 0 where there are none.
+///
+/// # Errors
+/// [`ReferenceError::Times`].
+pub fn increasing(times: &[f64]) -> Result<f64, ReferenceError> {
+    let mut previous = 0.0;
+    for (index, time) in times.iter().enumerate() {
+        let later = if index == 0 { *time >= 0.0 } else { *time > previous };
+        if !(later && time.is_finite()) {
+            return Err(ReferenceError::Times { index, time: *time, previous });
+        }
+        previous = *time;
+    }
+    Ok(previous)
+}
+
 /// The equations of a system, once its start and the requested times are known to be sound.
 ///
 /// # Errors
@@ -61,15 +77,8 @@ pub fn checked<'a>(
     times: &[f64],
     method: &'static str,
 ) -> Result<Equations<'a>, ReferenceError> {
-    let mut previous = 0.0;
-    for (index, time) in times.iter().enumerate() {
-        let later = if index == 0 { *time >= 0.0 } else { *time > previous };
-        if !(later && time.is_finite()) {
-            return Err(ReferenceError::Times { index, time: *time, previous });
-        }
-        previous = *time;
-    }
-    let equations = Equations::new(system, if previous > 0.0 { previous } else { 1.0 });
+    let last = increasing(times)?;
+    let equations = Equations::new(system, if last > 0.0 { last } else { 1.0 });
     let (start, mut rate) = (equations.start(), [0.0; DIMENSION]);
     equations.rate(0.0, &start, &mut rate);
     if start.iter().chain(&rate).all(|x| x.is_finite()) {

@@ -1,26 +1,36 @@
 //! One sample of a stored solution: strings of digits on their way to numbers.
 
 use nalgebra::{Matrix3, Vector3};
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
+use super::precise::{DoubleDouble, Moment, decimal};
 use super::stored::{Stored, StoredError};
+use crate::model::body::Shape;
 use crate::model::{Snapshot, System};
 use crate::rotation::{self, Rotation};
 
 type Triple = [String; 3];
 
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 #[allow(non_snake_case, reason = "the symbols of the files")]
 pub(super) struct Sample {
     time_s: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
     X_cm: Option<Triple>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     U_cm: Option<Triple>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     L: Option<Triple>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     W: Option<Triple>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub W_body: Option<Triple>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     E: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     R: Option<[Triple; 3]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     Xt: Option<Vec<Triple>>,
 }
 
@@ -41,6 +51,43 @@ impl Sample {
             ("Xt", self.Xt.as_ref().map(|x| rows(x))),
         ];
         fields.iter().filter_map(|(name, v)| v.as_ref().map(|v| format!("{name} {v}\n"))).collect()
+    }
+}
+
+impl Sample {
+    /// A moment of a motion of `system`, to so many digits.
+    pub fn of(system: &System, moment: &Moment, digits: usize) -> Sample {
+        let triple = |v: &[DoubleDouble; 3]| v.each_ref().map(|x| decimal::write(*x, digits));
+        let turned = |x: Vector3<f64>| {
+            let product = |row: usize, column: usize| moment.axes[column][row] * x[column].into();
+            [0, 1, 2].map(|row| product(row, 0) + product(row, 1) + product(row, 2))
+        };
+        let row = |row: usize| triple(&[0, 1, 2].map(|column: usize| moment.axes[column][row]));
+        let places = system.body.points.iter().map(|point| triple(&turned(point.position)));
+        Sample {
+            time_s: moment.time.to_string(),
+            X_cm: Some(triple(&moment.position)),
+            U_cm: Some(triple(&moment.velocity)),
+            L: Some(triple(&moment.angular_momentum)),
+            W: Some(triple(&moment.angular_velocity)),
+            W_body: None,
+            E: None,
+            R: Some([0, 1, 2].map(row)),
+            Xt: Some(places.collect()),
+        }
+    }
+}
+
+/// The orientation of a rod with the rounding of its fit turned away, by its farthest point.
+fn along_the_places(fit: &Rotation, points: &[Vector3<f64>], places: &[Vector3<f64>]) -> Rotation {
+    let farther = |a: &(&Vector3<f64>, &Vector3<f64>), b: &(&Vector3<f64>, &Vector3<f64>)| {
+        a.0.norm_squared().total_cmp(&b.0.norm_squared())
+    };
+    match points.iter().zip(places).max_by(farther) {
+        Some((x, place)) if *x != Vector3::zeros() => {
+            rotation::turn(&((fit * x).cross(place) / x.norm_squared())) * fit
+        }
+        _ => *fit,
     }
 }
 
@@ -79,7 +126,8 @@ impl Reader<'_> {
     pub fn snapshot(&self, system: &System) -> Result<Snapshot, StoredError> {
         let orientation = self.orientation(system)?;
         let angular_velocity = self.vector("W", &self.sample.W)?;
-        let (position, velocity) = if system.body.pivoted {
+        let given = self.sample.X_cm.is_some() && self.sample.U_cm.is_some();
+        let (position, velocity) = if system.body.pivoted && !given {
             let arm = orientation * system.body.center;
             (system.origin() + arm, angular_velocity.cross(&arm))
         } else {
@@ -108,6 +156,10 @@ impl Reader<'_> {
                 rotation::from_matrix(&Matrix3::from_rows(&rows.map(|row| row.transpose())))
             }
             None => rotation::best_fit(&points, &places, &masses),
+        };
+        let orientation = match system.body.shape {
+            Shape::Rod { .. } => along_the_places(&orientation, &points, &places),
+            Shape::Point | Shape::Extended => orientation,
         };
         let apart = |(x, place): (&Vector3<f64>, &Vector3<f64>)| rotation::length(&(orientation * x - place));
         let farthest = points.iter().zip(&places).map(apart).fold(0.0, f64::max);

@@ -17,7 +17,7 @@ const COARSER: f64 = 100.0;
 pub enum Role {
     /// The best estimate where nothing better is known.
     Best,
-    /// Measures the error of the best estimate.
+    /// Is held against the best estimate; measures its error where nothing better is known.
     Second,
     /// Replaces the best estimate at the times it has.
     Exact,
@@ -43,7 +43,7 @@ impl Role {
 /// One of the solutions that a reference rests on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Source {
-    /// Method, or "stored".
+    /// Method, "closed form", or "stored".
     pub name: String,
     /// Implementation, tolerance and work; or how it was made; or why it failed.
     pub detail: String,
@@ -54,7 +54,13 @@ pub struct Source {
     pub disagreement: Option<Spread>,
 }
 
-/// The best estimate, the second solution, and where they come from.
+impl Source {
+    pub(super) fn failed(name: &str, detail: String) -> Source {
+        Source { name: name.to_owned(), detail, role: Role::Failed, disagreement: None }
+    }
+}
+
+/// The better solver's solution, the second one, and where they come from.
 pub(super) struct Pair {
     pub best: Run,
     pub second: Run,
@@ -127,12 +133,10 @@ fn alone(
     let sources = vec![
         method.source(method.tolerance, &best, Role::Best),
         method.source(tolerance, &second, Role::Second),
-        Source {
-            name: failed.name.to_owned(),
-            detail: format!("{error}; {} at a coarser tolerance stands in for it", method.name),
-            role: Role::Failed,
-            disagreement: None,
-        },
+        Source::failed(
+            failed.name,
+            format!("{error}; {} at a coarser tolerance stands in for it", method.name),
+        ),
     ];
     Ok(Pair { best, second, sources })
 }

@@ -1,0 +1,183 @@
+//! The best estimate among all that is known of a motion, and how far the others are from it.
+//!
+//! In this order: the Taylor series in double-double arithmetic, with its own bound; a closed form, with what
+//! roundings make of it; dop853. The others are held against the best. Of dop853 nothing but runs of its like is known:
+//! its uncertainty at a time is the largest so far of
+//!
+//! 1. [`SPREAD`] times its difference from tsit45: two solutions may cross, their errors do not vanish there;
+//! 2. its difference from runs that start a rounding off: what roundings of the constants, which both solvers share,
+//!    have grown to.
+//!
+//! A source that is farther from the best estimate than both can be wrong by contradicts it, and the uncertainty is
+//! then no smaller than that.
+
+use super::closed::{self, Closed};
+use super::nudge::{DIRECTIONS, nudged_matrix};
+use super::precise::{self, AFFORDABLE, Motion};
+use super::run::Run;
+use super::sources::{Pair, Role, Source, Spread, two_solutions};
+use super::{ReferenceError, dop853};
+use crate::model::{Snapshot, System, difference};
+
+/// Error of a closed form over its uncertainty that contradicts the best estimate.
+const CLOSED_CONTRADICTS: f64 = 8.0;
+
+/// Error of a solver over the spread of both that contradicts the best estimate. Both share the roundings of the
+/// constants, so that their spread may be far too small, next to a separatrix most of all: measured up to 40.
+const SOLVER_CONTRADICTS: f64 = 1000.0;
+
+/// Error of dop853 over its difference from tsit45: two errors of one size may be alike by chance.
+const SPREAD: f64 = 2.0;
+
+/// Runs that start a rounding off.
+const NUDGED: usize = 2;
+
+/// The best estimate at each time, its uncertainty without the rounding of the numbers, and all sources.
+pub(super) struct Best {
+    pub states: Vec<Snapshot>,
+    pub uncertainty: Vec<Spread>,
+    pub sources: Vec<Source>,
+}
+
+/// All that can be known of `system` at `times` [s]; `rounding` tells that of a state.
+pub(super) fn gather(
+    system: &System,
+    times: &[f64],
+    rounding: &dyn Fn(&Snapshot) -> Spread,
+) -> Result<Best, ReferenceError> {
+    let taylor = precise::solve(system, times, AFFORDABLE);
+    let pair = two_solutions(system, times);
+    let closed = closed::solve(system, times);
+    let mut best = match (&taylor, &pair, closed.as_ref()) {
+        (Ok(motion), _, _) => of_taylor(motion),
+        (Err(_), Ok(_), Some(closed)) => of_closed(closed),
+        (Err(_), Ok(pair), None) => of_solvers(system, times, pair),
+        (Err(_), Err(error), _) => return Err(error.clone()),
+    };
+    let judge = Judge { system, rounding };
+    match (taylor, closed) {
+        (Ok(_), Some(closed)) => {
+            let source = closed_source(&closed, Role::Second);
+            let allowed = closed.uncertainty.iter().map(|u| u.map(|x| CLOSED_CONTRADICTS * x)).collect();
+            judge.hold(&mut best, source, &closed.states, allowed, CLOSED_CONTRADICTS);
+        }
+        (Ok(_), None) => {}
+        (Err(error), _) => best.sources.push(Source::failed("taylor", error.to_string())),
+    }
+    match pair {
+        Ok(pair) => judge.hold_solvers(&mut best, pair),
+        Err(error) => best.sources.push(Source::failed("dop853, tsit45", error.to_string())),
+    }
+    Ok(best)
+}
+
+/// What dop853 and tsit45 alone know of it.
+pub(super) fn by_solvers(
+    system: &System,
+    times: &[f64],
+    rounding: &dyn Fn(&Snapshot) -> Spread,
+) -> Result<Best, ReferenceError> {
+    let pair = two_solutions(system, times)?;
+    let mut best = of_solvers(system, times, &pair);
+    Judge { system, rounding }.hold_solvers(&mut best, pair);
+    Ok(best)
+}
+
+fn of_taylor(motion: &Motion) -> Best {
+    let [(order, steps), (other, other_steps)] = motion.runs;
+    let detail = format!(
+        "our own, double-double arithmetic, order {order}, {steps} steps; bound from order {other}, {other_steps} steps"
+    );
+    Best {
+        states: motion.moments.iter().map(precise::Moment::snapshot).collect(),
+        uncertainty: motion.moments.iter().map(|moment| moment.error).collect(),
+        sources: vec![Source { name: "taylor".to_owned(), detail, role: Role::Best, disagreement: None }],
+    }
+}
+
+fn of_closed(closed: &Closed) -> Best {
+    let sources = vec![closed_source(closed, Role::Best)];
+    Best { states: closed.states.clone(), uncertainty: closed.uncertainty.clone(), sources }
+}
+
+fn closed_source(closed: &Closed, role: Role) -> Source {
+    Source { name: "closed form".to_owned(), detail: closed.name.clone(), role, disagreement: None }
+}
+
+/// dop853, and what its like differ from it by.
+fn of_solvers(system: &System, times: &[f64], pair: &Pair) -> Best {
+    let others: Vec<Run> = DIRECTIONS[DIRECTIONS.len() - NUDGED..]
+        .iter()
+        .filter_map(|signs| dop853::solve(&nudged_matrix(system, signs), times, dop853::TOLERANCE).ok())
+        .collect();
+    let mut largest = [0.0; 6];
+    let uncertainty = pair.best.states.iter().enumerate().map(|(j, state)| {
+        let spread = difference(&system.body, state, &pair.second.states[j]);
+        largest = larger(largest, &spread.map(|x| SPREAD * x));
+        for other in &others {
+            largest = larger(largest, &difference(&system.body, state, &other.states[j]));
+        }
+        largest
+    });
+    Best { uncertainty: uncertainty.collect(), states: pair.best.states.clone(), sources: Vec::new() }
+}
+
+pub(super) fn larger(a: Spread, b: &Spread) -> Spread {
+    std::array::from_fn(|i| a[i].max(b[i]))
+}
+
+struct Judge<'a> {
+    system: &'a System,
+    rounding: &'a dyn Fn(&Snapshot) -> Spread,
+}
+
+impl Judge<'_> {
+    /// Holds a source against the best estimate: more than `allowed` and so many roundings is a contradiction.
+    fn hold(
+        &self,
+        best: &mut Best,
+        source: Source,
+        states: &[Snapshot],
+        allowed: Vec<Spread>,
+        roundings: f64,
+    ) {
+        let (mut largest, mut contradiction) = ([0.0; 6], [0.0; 6]);
+        for (j, state) in states.iter().enumerate() {
+            let apart = difference(&self.system.body, &best.states[j], state);
+            let rounding = (self.rounding)(&best.states[j]);
+            largest = larger(largest, &apart);
+            let excess: Spread = std::array::from_fn(|i| {
+                let bound = allowed[j][i] + roundings * rounding[i] + best.uncertainty[j][i];
+                if apart[i] > bound { apart[i] } else { 0.0 }
+            });
+            contradiction = larger(contradiction, &excess);
+            best.uncertainty[j] = larger(best.uncertainty[j], &contradiction);
+        }
+        best.sources.push(Source { disagreement: Some(largest), ..source });
+    }
+
+    fn hold_solvers(&self, best: &mut Best, pair: Pair) {
+        let mut spread = [0.0; 6];
+        let states = pair.best.states.iter().zip(&pair.second.states);
+        let spreads: Vec<Spread> = states
+            .map(|(a, b)| {
+                spread = larger(spread, &difference(&self.system.body, a, b));
+                spread
+            })
+            .collect();
+        let alone = best.sources.iter().all(|source| source.role != Role::Best);
+        for source in pair.sources {
+            match source.role {
+                Role::Best if alone => best.sources.push(source),
+                Role::Best | Role::Second => {
+                    let run = if source.role == Role::Best { &pair.best } else { &pair.second };
+                    let allowed = spreads.iter().map(|s| s.map(|x| SOLVER_CONTRADICTS * x)).collect();
+                    let source = Source { role: Role::Second, ..source };
+                    self.hold(best, source, &run.states, allowed, SOLVER_CONTRADICTS);
+                }
+                _ => best.sources.push(source),
+            }
+        }
+        best.sources.sort_by_key(|source| source.role != Role::Best);
+    }
+}

@@ -1,0 +1,16 @@
+//! The free asymmetric body with its attitude: Jacobi's functions, and a third-kind integral for the angle about L.
+//!
+//! The same exact rotor that the splitting schemes turn by, over the whole time at once; see
+//! [`crate::free_rotor`], which holds the formulas. Near the separatrix k′ enters by itself and is not lost.
+//!
+//! Source: vanzon2007, celledoni2008; whittaker1937, chapter VI.
+
+use super::{after, principal_momentum};
+use crate::free_rotor;
+use crate::model::System;
+use crate::rotation::Rotation;
+
+/// The orientation at `t` [s].
+pub(super) fn turned(system: &System, t: f64) -> Rotation {
+    after(system, &free_rotor::turn_in(&system.body.moments, &principal_momentum(system), t))
+}

@@ -1,0 +1,183 @@
+//! A motion to many digits, with a bound of its error.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::double_double::DoubleDouble;
+use super::problem::{Problem, SHOWN};
+use super::taylor::{self, Control};
+use crate::model::{Snapshot, System};
+use crate::reference::sources::Spread;
+use crate::reference::{ReferenceError, run};
+use crate::rotation;
+
+/// Bound of the error over the largest difference of the two runs so far.
+pub const DIFFERENCE: f64 = 4.0;
+
+/// The run, and the one that it is compared with: a little coarser, and of another order.
+const CONTROLS: [Control; 2] =
+    [Control { order: 38, tolerance: 1e-33 }, Control { order: 36, tolerance: 1e-32 }];
+
+/// Multiply-adds of a run, at five nanoseconds or so each, that a reference may cost.
+pub const AFFORDABLE: f64 = 1e8;
+
+/// What the constants of the second run are off by, relative, a power of two: rounding errors of constants are the same
+/// in both runs, and what they grow to would else go unseen.
+const NUDGE: f64 = DoubleDouble::ROUNDING;
+
+/// Digits that a double-double number has.
+pub const MOST_DIGITS: usize = 30;
+
+/// Rounding of a number by the last operations, over its size.
+const ROUNDING: f64 = 8.0 * DoubleDouble::ROUNDING;
+
+/// A moment of a motion to many digits. World axes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Moment {
+    /// t [s].
+    pub time: f64,
+    /// X_cm [m].
+    pub position: [DoubleDouble; 3],
+    /// U_cm [m/s].
+    pub velocity: [DoubleDouble; 3],
+    /// R, column by column; takes body axes to world axes.
+    pub axes: [[DoubleDouble; 3]; 3],
+    /// Ω [rad/s].
+    pub angular_velocity: [DoubleDouble; 3],
+    /// L about the origin [kg m²/s].
+    pub angular_momentum: [DoubleDouble; 3],
+    /// Bound of the error of each quantity, in the order of [`crate::model::Quantity::ALL`].
+    pub error: Spread,
+}
+
+/// A motion to many digits.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Motion {
+    /// One for each time.
+    pub moments: Vec<Moment>,
+    /// Order and number of steps of the run, and of the one that it was compared with.
+    pub runs: [(usize, usize); 2],
+}
+
+/// The motion of `system` at increasing `times` [s], given up where a run would take more than `most_work`
+/// multiply-adds.
+///
+/// # Errors
+/// [`ReferenceError::Times`], [`ReferenceError::Kink`], [`ReferenceError::NotFinite`],
+/// [`ReferenceError::NoConvergence`], [`ReferenceError::Interrupted`].
+pub fn solve(system: &System, times: &[f64], most_work: f64) -> Result<Motion, ReferenceError> {
+    let last = run::increasing(times)?;
+    let problem = |nudge| Problem::of(system, if last > 0.0 { last } else { 1.0 }, nudge);
+    let (problem, nudged) = (problem(0.0)?, problem(NUDGE)?);
+    let (fine, fine_steps) = taylor::along(&problem, times, &CONTROLS[0], most_work)?;
+    let (coarse, coarse_steps) = taylor::along(&nudged, times, &CONTROLS[1], most_work)?;
+    let mut largest: Spread = [0.0; 6];
+    let moments = times
+        .iter()
+        .zip(fine.iter().zip(&coarse))
+        .map(|(time, (fine, coarse))| {
+            let mut moment = moment_of(&problem, *time, fine);
+            let other = moment_of(&nudged, *time, coarse);
+            let apart = apart(system, &moment, &other);
+            largest = std::array::from_fn(|i| apart[i].max(largest[i]));
+            moment.error = bound(system, &moment, &largest);
+            moment
+        })
+        .collect();
+    let runs = [(CONTROLS[0].order, fine_steps), (CONTROLS[1].order, coarse_steps)];
+    Ok(Motion { moments, runs })
+}
+
+fn moment_of(problem: &Problem, time: f64, state: &[DoubleDouble]) -> Moment {
+    let shown = problem.shown.values(state);
+    debug_assert_eq!(shown.len(), SHOWN);
+    let triple = |first: usize, dimension: [i32; 3]| {
+        let unit = problem.scale.unit(dimension);
+        [0, 1, 2].map(|i| shown[first + i].scaled(unit))
+    };
+    Moment {
+        time,
+        position: triple(0, [0, 1, 0]),
+        velocity: triple(3, [0, 1, -1]),
+        axes: [6, 9, 12].map(|first| triple(first, [0, 0, 0])),
+        angular_velocity: triple(15, [0, 0, -1]),
+        angular_momentum: triple(18, [1, 2, -1]),
+        error: [0.0; 6],
+    }
+}
+
+fn bound(system: &System, moment: &Moment, largest: &Spread) -> Spread {
+    let size = |v: &[DoubleDouble; 3]| v.iter().map(|x| x.high.abs()).fold(0.0, f64::max);
+    let position = size(&moment.position);
+    let sizes = [
+        position,
+        size(&moment.velocity),
+        1.0,
+        size(&moment.angular_velocity),
+        size(&moment.angular_momentum),
+        position + system.body.extent(),
+    ];
+    std::array::from_fn(|i| DIFFERENCE * largest[i] + ROUNDING * sizes[i])
+}
+
+/// The difference of two moments, quantity by quantity; of orientations, that of the matrices as an angle.
+fn apart(system: &System, a: &Moment, b: &Moment) -> Spread {
+    let vector = |a: &[DoubleDouble; 3], b: &[DoubleDouble; 3]| {
+        Vector3::from(std::array::from_fn::<f64, 3, _>(|i| (a[i] - b[i]).high))
+    };
+    let columns: [Vector3<f64>; 3] = std::array::from_fn(|i| vector(&a.axes[i], &b.axes[i]));
+    let turn = Matrix3::from_columns(&columns);
+    let shift = vector(&a.position, &b.position);
+    let body = &system.body;
+    let farthest = body.points.iter().map(|p| p.position - body.center);
+    let point =
+        farthest.map(|x| rotation::length(&(shift + turn * x))).fold(rotation::length(&shift), f64::max);
+    let size = |a, b| rotation::length(&vector(a, b));
+    [
+        rotation::length(&shift),
+        size(&a.velocity, &b.velocity),
+        // |R − R'|_F = 2 √2 sin(θ/2).
+        turn.norm() / 2f64.sqrt(),
+        size(&a.angular_velocity, &b.angular_velocity),
+        size(&a.angular_momentum, &b.angular_momentum),
+        if body.points.is_empty() { rotation::length(&shift) + turn.norm() * body.extent() } else { point },
+    ]
+}
+
+impl Motion {
+    /// Digits that every quantity has, before its error bound reaches half a unit in the last one; a quantity that is
+    /// nothing but rounding of others has none of its own, and is left out.
+    pub fn certain_digits(&self, system: &System) -> usize {
+        let size = |v: &[DoubleDouble; 3]| v.iter().map(|x| x.high * x.high).sum::<f64>().sqrt();
+        let ratios = self.moments.iter().flat_map(|moment| {
+            let extent = system.body.extent();
+            [
+                (size(&moment.position).max(extent), moment.error[0]),
+                (size(&moment.velocity).max(extent * size(&moment.angular_velocity)), moment.error[1]),
+                (1.0, moment.error[2]),
+                (size(&moment.angular_velocity), moment.error[3]),
+                (size(&moment.angular_momentum), moment.error[4]),
+            ]
+        });
+        let worst =
+            ratios.filter(|(size, _)| *size > 0.0).map(|(size, error)| error / size).fold(0.0, f64::max);
+        if worst == 0.0 { MOST_DIGITS } else { (-(2.0 * worst).log10()).floor().max(0.0) as usize }
+            .min(MOST_DIGITS)
+    }
+}
+
+impl Moment {
+    /// The same, rounded to f64.
+    pub fn snapshot(&self) -> Snapshot {
+        let rounded = |v: &[DoubleDouble; 3]| Vector3::new(v[0].to_f64(), v[1].to_f64(), v[2].to_f64());
+        let axes = Matrix3::from_columns(&self.axes.each_ref().map(rounded));
+        Snapshot {
+            time: self.time,
+            position: rounded(&self.position),
+            velocity: rounded(&self.velocity),
+            orientation: rotation::from_matrix(&axes),
+            angular_velocity: rounded(&self.angular_velocity),
+            angular_momentum: rounded(&self.angular_momentum),
+            stretch: 0.0,
+        }
+    }
+}

@@ -1,0 +1,8 @@
+//! Closed forms meet the double-double series, to a few rounding units for every radian turned.
+
+mod found;
+mod known;
+mod million_radians;
+mod points;
+mod sources;
+mod tops;

@@ -1,0 +1,8 @@
+//! The references agree with each other and with stored solutions, and say how well.
+
+mod agreement;
+mod building;
+mod motions;
+mod scaling;
+mod solvers;
+mod stored;
