@@ -7,7 +7,9 @@ use comfy_table::{ContentArrangement, Table, presets};
 
 use super::Failure;
 use super::gate::measure_with;
+use super::report::SECONDS_A_COST;
 use super::select::{self, Selection};
+use crate::campaign;
 use crate::gates::Baseline;
 use crate::record::{Drift, Order, Records};
 
@@ -95,7 +97,9 @@ fn sides(options: &Options, quiet: bool) -> Result<(Side, Side), Failure> {
         (false, false) => {
             let contestants = vec![select::contestant(&options.a)?, select::contestant(&options.b)?];
             let scenes = Selection::of_scenes(options.scenes.clone()).scenes()?;
-            let records = measure_with(scenes, contestants, Baseline::built_in(), false, quiet);
+            let mut records =
+                measure_with(scenes.clone(), contestants.clone(), Baseline::built_in(), false, quiet);
+            campaign::add_costs(&mut records, &scenes, &contestants, SECONDS_A_COST);
             let side = |name: &String| Side {
                 name: name.clone(),
                 records: records.clone(),

@@ -10,7 +10,7 @@ use super::select;
 use crate::campaign;
 use crate::record;
 use crate::report::heat_map::{HeatMap, Map, Range, Scale};
-use crate::report::line_chart::{Line, LineChart};
+use crate::report::line_chart::{Line, LineChart, LinePanel};
 use crate::scenes::{FILES, Scene};
 use crate::simulate::Contestant;
 use crate::sweep::{Axis, Row, STEP, SceneText, Sweep};
@@ -212,17 +212,20 @@ fn draw(
                 Line { words: (*scheme).to_owned(), points }
             };
             LineChart {
-                title: title.clone(),
+                title: scene.title.clone(),
                 subtitle: subtitle(scene, sweep),
                 description: title,
-                across: axis_title(axis),
-                across_logarithmic: axis.logarithmic,
-                up: words,
-                lines: names.iter().map(line).collect(),
+                panels: vec![LinePanel {
+                    across: axis_title(axis),
+                    across_logarithmic: axis.logarithmic,
+                    up: words,
+                    lines: names.iter().map(line).collect(),
+                }],
             }
             .png()
         }
         [up, across] => {
+            let values: Vec<f64> = rows.iter().filter_map(|row| shown(options, sweep, row)).collect();
             let map = |scheme: &&str| Map {
                 title: if names.len() > 1 { (*scheme).to_owned() } else { String::new() },
                 across: range(across),
@@ -235,7 +238,7 @@ fn draw(
                 title: title.clone(),
                 subtitle: format!("{} · {}", names.join(", "), subtitle(scene, sweep)),
                 description: title,
-                scale: Scale::Numbers { title: words, logarithmic: true, range: None },
+                scale: Scale::Numbers { title: words, logarithmic: true, range: shown_range(&values) },
                 panels: names.iter().map(map).collect(),
             }
             .png()
@@ -247,6 +250,14 @@ fn draw(
     };
     let png = png.map_err(|error| Failure::Usage(error.to_string()))?;
     Ok(record::write_whole(path, &png)?)
+}
+
+/// The range of the colours: from the least number to the largest, but not where runs have left the motion for good.
+fn shown_range(values: &[f64]) -> Option<(f64, f64)> {
+    const LEFT_FOR_GOOD: f64 = 10.0;
+    let least = values.iter().copied().filter(|value| *value > 0.0).reduce(f64::min)?.max(1e-17);
+    let most = values.iter().copied().reduce(f64::max)?.min(LEFT_FOR_GOOD);
+    (least < most).then_some((least, most))
 }
 
 fn subtitle(scene: &Scene, sweep: &Sweep) -> String {

@@ -1,5 +1,6 @@
 //! What the HTML and the Markdown report say: every number already in print, with its unit and uncertainty.
 
+mod costs;
 mod rankings;
 mod scene;
 mod tables;
@@ -10,13 +11,14 @@ use crate::record::{Machine, Records, Verdict};
 
 use super::number;
 use super::plot::Subject;
+use super::ranking::Work;
 use super::survey::{self, Outcome};
 
 /// A picture that was drawn.
 pub(super) struct Figure {
     /// What it shows.
     pub subject: Subject,
-    /// The picture as an SVG element.
+    /// The picture as an SVG element; empty where the page only names its file, because it is large.
     pub svg: String,
 }
 
@@ -38,6 +40,9 @@ pub(super) struct Page {
     drift_figure: Option<FigureView>,
     drifts: Vec<tables::DriftRow>,
     overall: Vec<rankings::Overall>,
+    cheapest: Vec<FigureView>,
+    costs: Option<costs::Costs>,
+    scaling: Option<FigureView>,
     scenes: Vec<scene::Scene>,
 }
 
@@ -140,6 +145,19 @@ pub(super) fn compose(records: &Records, main: &Records, figures: &[Figure]) -> 
         ),
         drifts: main.drifts.iter().map(tables::DriftRow::new).collect(),
         overall: rankings::overall(records),
+        cheapest: [Work::Nanoseconds, Work::Evaluations]
+            .into_iter()
+            .filter_map(|work| {
+                let caption = "The cheapest scheme of each family for an error below each power of ten.";
+                figure(figures, &Subject::Cheapest(work), caption)
+            })
+            .collect(),
+        costs: costs::Costs::new(records),
+        scaling: figure(
+            figures,
+            &Subject::Scaling,
+            "Cost of a step against the mass points of the body, and of a campaign against its cells.",
+        ),
         scenes: survey::scenes(records)
             .into_iter()
             .map(|name| scene::Scene::new(main, figures, name, rankings::Ranking::new(records, name)))

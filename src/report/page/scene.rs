@@ -140,11 +140,13 @@ impl Reference {
 fn scene_figures(figures: &[Figure], name: &str) -> Vec<FigureView> {
     let convergence = "Error at the end of the run against the time step.";
     let invariants = "Change of energy and angular momentum against time.";
-    let work = "Error at the end of the run against work.";
+    let work = "Error at the end of the run against cost and against the step.";
+    let everyone = "Every scheme: errors at the end of the run against cost and against the step.";
     let views = [
         figure(figures, &Subject::Convergence(name.into()), convergence),
         figure(figures, &Subject::Invariants(name.into()), invariants),
         figure(figures, &Subject::WorkPrecision(name.into()), work),
+        figure(figures, &Subject::WorkPrecisionOfAll(name.into()), everyone),
     ];
     views.into_iter().flatten().collect()
 }

@@ -1,6 +1,7 @@
 //! The pictures of a report: which there are, and how each is drawn.
 
 mod axis;
+pub(super) mod cheapest;
 mod colour_map;
 mod convergence;
 mod convergence_panel;
@@ -19,14 +20,18 @@ mod panel;
 mod raster;
 mod render;
 mod sketch;
+mod scaling;
 mod work_precision;
+mod work_precision_panel;
 
 use crate::record::Records;
 
+use super::ranking::Work;
 use super::survey;
 use palette::Palette;
 pub(in crate::report) use render::Fault;
 use sketch::Sketch;
+use work_precision::Cast;
 
 /// What a picture shows.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -39,8 +44,14 @@ pub(super) enum Subject {
     Convergence(String),
     /// Invariants of one scene against time.
     Invariants(String),
-    /// Errors of every scheme on one scene against its work.
+    /// Errors of the main schemes on one scene against cost and step.
     WorkPrecision(String),
+    /// The same of every scheme.
+    WorkPrecisionOfAll(String),
+    /// What an error costs in each family.
+    Cheapest(Work),
+    /// Cost against size.
+    Scaling,
 }
 
 impl Subject {
@@ -52,6 +63,12 @@ impl Subject {
             Subject::Convergence(scene) => format!("{}-convergence.png", survey::file_stem(scene)),
             Subject::Invariants(scene) => format!("{}-invariants.png", survey::file_stem(scene)),
             Subject::WorkPrecision(scene) => format!("{}-work-precision.png", survey::file_stem(scene)),
+            Subject::WorkPrecisionOfAll(scene) => {
+                format!("{}-work-precision-of-all.png", survey::file_stem(scene))
+            }
+            Subject::Cheapest(Work::Nanoseconds) => "cheapest-by-time.png".into(),
+            Subject::Cheapest(_) => "cheapest-by-evaluations.png".into(),
+            Subject::Scaling => "scaling.png".into(),
         }
     }
 }
@@ -77,11 +94,18 @@ impl Picture {
 
 /// Everything that the records may have a picture of.
 pub(super) fn subjects(records: &Records) -> Vec<Subject> {
-    let mut subjects = vec![Subject::Overview, Subject::DriftRates];
+    let mut subjects = vec![
+        Subject::Overview,
+        Subject::DriftRates,
+        Subject::Cheapest(Work::Nanoseconds),
+        Subject::Cheapest(Work::Evaluations),
+        Subject::Scaling,
+    ];
     for scene in survey::scenes(records) {
         subjects.push(Subject::Convergence(scene.into()));
         subjects.push(Subject::Invariants(scene.into()));
         subjects.push(Subject::WorkPrecision(scene.into()));
+        subjects.push(Subject::WorkPrecisionOfAll(scene.into()));
     }
     subjects
 }
@@ -110,7 +134,10 @@ pub(super) fn lay_out(
         Subject::DriftRates => drift::sketch(main, &palette),
         Subject::Convergence(scene) => convergence::sketch(main, &palette, scene),
         Subject::Invariants(scene) => invariants::sketch(main, &palette, scene),
-        Subject::WorkPrecision(scene) => work_precision::sketch(records, scene),
+        Subject::WorkPrecision(scene) => work_precision::sketch(records, main, scene, Cast::Main),
+        Subject::WorkPrecisionOfAll(scene) => work_precision::sketch(records, main, scene, Cast::Everyone),
+        Subject::Cheapest(work) => cheapest::sketch(records, *work),
+        Subject::Scaling => scaling::sketch(records),
     };
     Ok(sketch.map(|sketch| Picture { subject: subject.clone(), sketch }))
 }

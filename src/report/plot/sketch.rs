@@ -164,6 +164,13 @@ impl Sketch {
         });
     }
 
+    /// Adds an arrow that points upwards: the sign of an error beyond the chart.
+    pub(super) fn arrow(&mut self, centre: Place, radius: f64, ink: RGBColor) {
+        let (x, y) = centre;
+        self.line(vec![(x, y + radius), (x, y - radius)], ink, 4.0);
+        self.line(vec![(x - 0.7 * radius, y), (x, y - radius), (x + 0.7 * radius, y)], ink, 4.0);
+    }
+
     /// Adds a slanting cross: the sign of a run that broke.
     pub(super) fn cross(&mut self, centre: Place, radius: f64, ink: RGBColor) {
         let (x, y) = centre;
