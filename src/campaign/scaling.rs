@@ -17,7 +17,7 @@ use crate::scenes::Scene;
 use crate::simulate::{Contestant, Form};
 
 /// Time that each size is timed for [s].
-const SECONDS: f64 = 0.05;
+const SECONDS: f64 = 0.02;
 /// h [s]: the bodies turn about a rad/s.
 const STEP: f64 = 0.01;
 /// Most mass points, and of a full report: there a run holds some hundred megabytes.
@@ -63,7 +63,7 @@ fn with_points(contestant: &Contestant, most: usize) -> Vec<ScalingRow> {
     let mut rows = Vec::new();
     let mut count = 1;
     while count <= most && !interrupt::requested() {
-        for (drag, load) in [(false, "free"), (true, "drag on every point")] {
+        for (drag, load) in [(false, "free"), (true, "drag")] {
             let Some(system) = cloud(count, drag) else { continue };
             let course = |form| Course { contestant, system: &system, form, step: STEP, seconds: SECONDS };
             let costs = cost::measure(&[course(Form::Points), course(Form::Least)]);

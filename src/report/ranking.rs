@@ -58,15 +58,15 @@ pub(super) struct Ladder<'a> {
 }
 
 impl Ladder<'_> {
-    /// log₁₀ of the work from which on the error stays below a bound, log₁₀; the first rung's where all are below. `None` where
-    /// the last rung is not.
-    pub(super) fn work_for(&self, error: f64) -> Option<f64> {
+    /// log₁₀ of the work from which on the error stays below a bound, log₁₀, and whether less may do as well: where all rungs
+    /// are below it is that of the first. `None` where the last rung is not below.
+    pub(super) fn work_for(&self, error: f64) -> Option<(f64, bool)> {
         let Some(above) = self.points.iter().rposition(|point| point.error > error) else {
-            return self.points.first().map(|point| point.work);
+            return self.points.first().map(|point| (point.work, true));
         };
         let (before, after) = (self.points.get(above)?, self.points.get(above + 1)?);
         let part = (before.error - error) / (before.error - after.error);
-        Some(before.work + part * (after.work - before.work))
+        Some((before.work + part * (after.work - before.work), false))
     }
 
     /// log₁₀ of the error for so much work, log₁₀; `None` outside the ladder.
@@ -129,12 +129,11 @@ pub(super) fn floor(records: &Records, scene: &str, metric: &str) -> Option<f64>
     known.reduce(f64::min).map(f64::log10)
 }
 
-/// The points that no other beats in work and error both, work rising: scheme, log₁₀ work, log₁₀ error. An error at its floor
-/// beats none.
+/// The points that no other beats in work and error both, work rising: scheme, log₁₀ work, log₁₀ error.
 pub(super) fn front<'a>(ladders: &[Ladder<'a>]) -> Vec<(&'a str, f64, f64)> {
     let mut points: Vec<(&str, f64, f64)> = ladders
         .iter()
-        .flat_map(|ladder| ladder.points.iter().filter(|p| !p.lost).map(|p| (ladder.scheme, p.work, p.error)))
+        .flat_map(|ladder| ladder.points.iter().map(|point| (ladder.scheme, point.work, point.error)))
         .collect();
     points.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.2.total_cmp(&b.2)));
     let mut least = f64::INFINITY;
@@ -240,8 +239,8 @@ mod tests {
         // The second rung is lucky.
         let points = vec![point(1.0, -2.0), point(2.0, -6.0), point(3.0, -4.0), point(4.0, -8.0)];
         let ladder = Ladder { scheme: "a", family: "b", points, broken: Vec::new() };
-        assert_eq!(ladder.work_for(-5.0), Some(3.25));
-        assert_eq!(ladder.work_for(-1.0), Some(1.0));
+        assert_eq!(ladder.work_for(-5.0), Some((3.25, false)));
+        assert_eq!(ladder.work_for(-1.0), Some((1.0, true)));
         assert_eq!(ladder.work_for(-9.0), None);
     }
 
@@ -263,11 +262,11 @@ mod tests {
     }
 
     #[test]
-    fn the_front_holds_what_nothing_beats_and_no_error_at_its_floor() {
+    fn the_front_holds_what_nothing_beats() {
         let point = |work, error, lost| Point { work, error, lost };
         let ladder = |scheme, points| Ladder { scheme, family: "", points, broken: Vec::new() };
         let a = ladder("a", vec![point(1.0, -1.0, false), point(3.0, -3.0, false)]);
-        let b = ladder("b", vec![point(2.0, -2.0, false), point(4.0, -2.5, false), point(1.5, -9.0, true)]);
-        assert_eq!(front(&[a, b]), [("a", 1.0, -1.0), ("b", 2.0, -2.0), ("a", 3.0, -3.0)]);
+        let b = ladder("b", vec![point(2.0, -2.0, false), point(4.0, -2.5, false), point(5.0, -9.0, true)]);
+        assert_eq!(front(&[a, b]), [("a", 1.0, -1.0), ("b", 2.0, -2.0), ("a", 3.0, -3.0), ("b", 5.0, -9.0)]);
     }
 }

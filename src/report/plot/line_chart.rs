@@ -114,7 +114,7 @@ impl LinePanel {
         } else {
             Axis::linear(left - margin, right + margin, 8)
         };
-        Panel { frame, x, y: Axis::logarithmic(low - 0.3, high + 0.6, 9) }
+        Panel { frame, x, y: Axis::logarithmic(low - 0.15, high + 0.3, 9) }
     }
 
     fn on(&self, x: f64) -> f64 {

@@ -1,7 +1,7 @@
 //! The pictures of a report: which there are, and how each is drawn.
 
 mod axis;
-pub(super) mod cheapest;
+mod cheapest;
 mod colour_map;
 mod convergence;
 mod convergence_panel;
@@ -31,7 +31,7 @@ use super::survey;
 use palette::Palette;
 pub(in crate::report) use render::Fault;
 use sketch::Sketch;
-use work_precision::Cast;
+pub(super) use work_precision::{Cast, Group};
 
 /// What a picture shows.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -44,10 +44,8 @@ pub(super) enum Subject {
     Convergence(String),
     /// Invariants of one scene against time.
     Invariants(String),
-    /// Errors of the main schemes on one scene against cost and step.
-    WorkPrecision(String),
-    /// The same of every scheme.
-    WorkPrecisionOfAll(String),
+    /// Errors of one scene against cost and step: of the main schemes or of all, in a group of quantities.
+    WorkPrecision(String, Cast, Group),
     /// What an error costs in each family.
     Cheapest(Work),
     /// Cost against size.
@@ -62,9 +60,9 @@ impl Subject {
             Subject::DriftRates => "drift-rates.png".into(),
             Subject::Convergence(scene) => format!("{}-convergence.png", survey::file_stem(scene)),
             Subject::Invariants(scene) => format!("{}-invariants.png", survey::file_stem(scene)),
-            Subject::WorkPrecision(scene) => format!("{}-work-precision.png", survey::file_stem(scene)),
-            Subject::WorkPrecisionOfAll(scene) => {
-                format!("{}-work-precision-of-all.png", survey::file_stem(scene))
+            Subject::WorkPrecision(scene, cast, group) => {
+                let whose = if *cast == Cast::Everyone { "-of-all" } else { "" };
+                format!("{}-work-precision{whose}-{}.png", survey::file_stem(scene), group.word())
             }
             Subject::Cheapest(Work::Nanoseconds) => "cheapest-by-time.png".into(),
             Subject::Cheapest(_) => "cheapest-by-evaluations.png".into(),
@@ -104,8 +102,9 @@ pub(super) fn subjects(records: &Records) -> Vec<Subject> {
     for scene in survey::scenes(records) {
         subjects.push(Subject::Convergence(scene.into()));
         subjects.push(Subject::Invariants(scene.into()));
-        subjects.push(Subject::WorkPrecision(scene.into()));
-        subjects.push(Subject::WorkPrecisionOfAll(scene.into()));
+        for cast in [Cast::Main, Cast::Everyone] {
+            subjects.extend(Group::ALL.map(|group| Subject::WorkPrecision(scene.into(), cast, group)));
+        }
     }
     subjects
 }
@@ -134,8 +133,9 @@ pub(super) fn lay_out(
         Subject::DriftRates => drift::sketch(main, &palette),
         Subject::Convergence(scene) => convergence::sketch(main, &palette, scene),
         Subject::Invariants(scene) => invariants::sketch(main, &palette, scene),
-        Subject::WorkPrecision(scene) => work_precision::sketch(records, main, scene, Cast::Main),
-        Subject::WorkPrecisionOfAll(scene) => work_precision::sketch(records, main, scene, Cast::Everyone),
+        Subject::WorkPrecision(scene, cast, group) => {
+            work_precision::sketch(records, main, scene, (*cast, *group))
+        }
         Subject::Cheapest(work) => cheapest::sketch(records, *work),
         Subject::Scaling => scaling::sketch(records),
     };

@@ -9,7 +9,7 @@ use super::sketch::Sketch;
 /// The picture; `None` where nothing was measured.
 pub(super) fn sketch(records: &Records) -> Option<Sketch> {
     let panels: Vec<LinePanel> = [
-        panel(records, "points", "mass points K", "Cost of a step [ns]"),
+        panel(records, "points", "mass points K", "Cost of a step [ns], one thread"),
         panel(records, "cells", "cells: schemes × scenes", "Time of a campaign [s]"),
     ]
     .into_iter()
@@ -19,13 +19,15 @@ pub(super) fn sketch(records: &Records) -> Option<Sketch> {
         return None;
     }
     let title = "How cost grows with the size of the body and of the campaign".to_owned();
-    let chart = LineChart {
-        description: title.clone(),
-        title,
-        subtitle: "the reduced model visits the points only where each carries a force of its own".to_owned(),
-        panels,
-    };
+    let chart = LineChart { description: title.clone(), title, subtitle: subtitle(records), panels };
     Some(chart.sketch())
+}
+
+fn subtitle(records: &Records) -> String {
+    let scheme = records.scaling.iter().map(|row| row.scheme.as_str()).find(|name| !name.is_empty());
+    scheme.map_or(String::new(), |scheme| {
+        format!("{scheme} on a helix of K points, free and with drag on every point")
+    })
 }
 
 fn panel(records: &Records, what: &str, across: &str, up: &str) -> Option<LinePanel> {

@@ -4,20 +4,20 @@
 
 use crate::record::Records;
 use crate::report::ranking::{self, Ladder, Work};
-use crate::report::survey;
+use crate::report::{number, survey};
 
 use super::curves;
 use super::labels;
 use super::legend::{self, Entry, Sign};
 use super::palette::Palette;
 use super::panel::{self, Frame};
-use super::sketch::Sketch;
+use super::sketch::{Anchor, Sketch};
 use super::work_precision_panel::{self as one, Names};
 
 const WIDTH: f64 = 2600.0;
 const TOP: f64 = 150.0;
 const MARGIN: f64 = 30.0;
-const ROW: f64 = 700.0;
+const ROW: f64 = 660.0;
 
 /// The columns, with what stands under each.
 const COLUMNS: [(Work, &str); 3] = [
@@ -27,25 +27,67 @@ const COLUMNS: [(Work, &str); 3] = [
 ];
 
 /// Whose lines are drawn, and by what name they are told apart.
-#[derive(Clone, Copy, PartialEq)]
-pub(super) enum Cast {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::report) enum Cast {
     /// The main schemes, each by itself.
     Main,
     /// Every scheme, by its family.
     Everyone,
 }
 
+/// Which quantities a picture shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::report) enum Group {
+    /// How the body turns.
+    Rotation,
+    /// Where it is: the centre of mass, and points of the body.
+    Motion,
+}
+
+impl Group {
+    /// Both.
+    pub(in crate::report) const ALL: [Group; 2] = [Group::Rotation, Group::Motion];
+
+    /// The word in file names and titles.
+    pub(super) fn word(self) -> &'static str {
+        match self {
+            Group::Rotation => "rotation",
+            Group::Motion => "motion",
+        }
+    }
+
+    fn holds(self, quantity: &str) -> bool {
+        let turns = matches!(quantity, "orientation" | "angular-velocity" | "angular-momentum");
+        turns == (self == Group::Rotation)
+    }
+}
+
 /// A quantity's ladders, one list a column.
 struct Row<'a> {
     title: String,
+    unit: String,
     ladders: [Vec<Ladder<'a>>; 3],
     floor: Option<f64>,
 }
 
+impl Row<'_> {
+    /// Whether the floor of the reference is a band of the panels, and not far below them.
+    fn shows_floor(&self) -> bool {
+        let errors = self.ladders[2].iter().flat_map(|ladder| &ladder.points).map(|point| point.error);
+        let least = errors.fold(f64::INFINITY, f64::min);
+        self.floor.is_some_and(|floor| floor > least - one::FLOOR_IN_SIGHT)
+    }
+}
+
 /// The picture; `None` where fewer than two schemes have errors, and for everyone where that is the main ones alone.
-pub(super) fn sketch(records: &Records, main: &Records, scene: &str, cast: Cast) -> Option<Sketch> {
+pub(super) fn sketch(
+    records: &Records,
+    main: &Records,
+    scene: &str,
+    (cast, group): (Cast, Group),
+) -> Option<Sketch> {
     let records = if cast == Cast::Main { main } else { records };
-    let rows = rows(records, main, scene, cast);
+    let rows = rows(records, main, scene, (cast, group));
     let schemes = survey::distinct(rows.iter().flat_map(|row| row.ladders[2].iter().map(|l| l.scheme)));
     if schemes.len() < 2 {
         return None;
@@ -63,12 +105,20 @@ pub(super) fn sketch(records: &Records, main: &Records, scene: &str, cast: Cast)
     let entries = entries(&palette, palette.schemes().iter().filter(shown).copied().collect(), &rows);
     let room = WIDTH - 2.0 * MARGIN - 20.0;
     let strip = legend::height(&entries, room);
-    let height = TOP + ROW * rows.len() as f64 + strip + 2.0 * MARGIN;
+    let height = (TOP + ROW * rows.len() as f64 + strip + 2.0 * MARGIN).max(1000.0);
     let title = survey::title(records, scene);
-    let mut sketch = Sketch::new(WIDTH, height, format!("{title}: errors against cost and step"));
-    let whose = if cast == Cast::Main { "" } else { " · every scheme, by family" };
-    let subtitle =
-        format!("{scene}{whose} · error at the end of the run · black: nothing is better for less work");
+    let mut sketch =
+        Sketch::new(WIDTH, height, format!("{title}: errors of the {} against cost and step", group.word()));
+    let timed = rows.iter().all(|row| row.ladders[0].len() == row.ladders[2].len());
+    let whose = match cast {
+        Cast::Main => "",
+        Cast::Everyone if timed => " · every scheme, by family",
+        Cast::Everyone => " · every scheme, by family; at the left those that were timed",
+    };
+    let subtitle = format!(
+        "{scene} · {}{whose} · error at the end of the run · black: nothing is better for less work",
+        group.word()
+    );
     panel::headline(&mut sketch, title, &subtitle);
     let bottom = TOP + ROW * rows.len() as f64;
     let all = Frame { left: MARGIN, top: TOP, right: WIDTH - MARGIN, bottom };
@@ -80,19 +130,29 @@ pub(super) fn sketch(records: &Records, main: &Records, scene: &str, cast: Cast)
 }
 
 /// The quantities that some scheme has an error in that is not rounding.
-fn rows<'a>(records: &'a Records, main: &'a Records, scene: &str, cast: Cast) -> Vec<Row<'a>> {
+fn rows<'a>(
+    records: &'a Records,
+    main: &'a Records,
+    scene: &str,
+    (cast, group): (Cast, Group),
+) -> Vec<Row<'a>> {
     let of = |quantity: curves::Quantity| {
         let metric = format!("{}-end", quantity.name);
         let ladders = COLUMNS.map(|(work, _)| ranking::ladders(records, scene, &metric, work));
         let floor = ranking::floor(records, scene, &metric);
         let words = survey::quantity_words(quantity.name);
         let title = format!("{} error [{}]", survey::capital(&words), quantity.unit);
-        Row { title, ladders, floor }
+        Row { title, unit: quantity.unit.to_owned(), ladders, floor }
     };
     let tells = |row: &Row| row.ladders[2].iter().any(|ladder| ladder.points.iter().any(|p| !p.lost));
     // Beside the main schemes, which have a picture of their own, everyone must be more of them.
     let more = |row: &Row| cast == Cast::Main || row.ladders[2].iter().any(|l| is_apart(main, l.scheme));
-    curves::at_the_end(records, scene).into_iter().map(of).filter(|row| tells(row) && more(row)).collect()
+    curves::at_the_end(records, scene)
+        .into_iter()
+        .filter(|q| group.holds(q.name))
+        .map(of)
+        .filter(|row| tells(row) && more(row))
+        .collect()
 }
 
 fn is_apart(main: &Records, scheme: &str) -> bool {
@@ -107,7 +167,9 @@ fn entries(palette: &Palette, names: Vec<&str>, rows: &[Row]) -> Vec<Entry> {
     if ladders().any(|ladder| ladder.points.iter().any(|point| point.lost)) {
         entries.push(Entry::new(Sign::Hollow, "at the floor of reference or rounding"));
     }
-    entries.push(Entry::new(Sign::Band, "what the reference leaves undecided"));
+    if rows.iter().any(|row| row.shows_floor()) {
+        entries.push(Entry::new(Sign::Band, "what the reference leaves undecided"));
+    }
     if ladders().any(|ladder| !ladder.broken.is_empty()) {
         entries.push(Entry::new(Sign::Cross, "run broke"));
     }
@@ -154,5 +216,10 @@ fn draw_row(sketch: &mut Sketch, palette: &Palette, row: &Row, cell: Frame, cast
             cast,
         };
         view.draw(sketch, palette, frame, title, words);
+        if let Some(floor) = row.floor.filter(|_| index == 2) {
+            let good = number::significant(10f64.powf(floor), 1);
+            let words = format!("reference good to {}", number::joined(&good, &row.unit));
+            sketch.text(&words, (frame.right, frame.top - 30.0), Anchor::End, panel::TICK);
+        }
     }
 }

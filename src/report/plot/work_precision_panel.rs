@@ -14,7 +14,7 @@ use super::work_precision::Cast;
 /// Errors above this, log₁₀, are those of runs that have left the motion: they stand at the upper edge.
 pub(super) const HIGHEST: f64 = 2.0;
 /// A floor so many decades below the smallest error is told in words.
-const FLOOR_IN_SIGHT: f64 = 2.0;
+pub(super) const FLOOR_IN_SIGHT: f64 = 2.0;
 
 /// Which names stand beside a panel.
 #[derive(Clone, Copy, PartialEq)]
@@ -41,6 +41,19 @@ pub(super) struct View<'a> {
 /// The name that a ladder has its look by.
 pub(super) fn name<'a>(ladder: &Ladder<'a>, cast: Cast) -> &'a str {
     if cast == Cast::Main { ladder.scheme } else { ladder.family }
+}
+
+/// A front as stairs: between two of its points the error of the first is the best there is.
+fn stairs(front: &[(&str, f64, f64)], panel: &Panel) -> Vec<Place> {
+    let mut places: Vec<Place> = Vec::new();
+    for (_, work, error) in front {
+        let (x, y) = panel.place(*work, error.min(HIGHEST));
+        if let Some((_, before)) = places.last() {
+            places.push((x, *before));
+        }
+        places.push((x, y));
+    }
+    places
 }
 
 /// The names that stand beside a panel.
@@ -78,8 +91,7 @@ impl View<'_> {
         }
         if self.front {
             let front = ranking::front(self.ladders);
-            let line = front.iter().map(|(_, work, error)| panel.place(*work, error.min(HIGHEST)));
-            sketch.line(line.collect(), INK, 4.0);
+            sketch.line(stairs(&front, &panel), INK, 4.0);
         }
         for ladder in self.ladders {
             self.draw_markers(sketch, &panel, self.look(palette, ladder), ladder);
