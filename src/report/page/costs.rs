@@ -44,16 +44,7 @@ impl Costs {
                 .map(|own| own.iter().map(|row| row.seconds).sum::<f64>())
                 .collect::<Vec<_>>()
         });
-        let again = records.costs.iter().find(|row| row.again);
-        let first = again.and_then(|again| {
-            rows().find(|row| {
-                row.scheme == again.scheme && row.scene == again.scene && row.model == again.model
-            })
-        });
-        let noise = again.zip(first).map(|(again, first)| {
-            let part = (again.nanoseconds_per_step / first.nanoseconds_per_step - 1.0).abs();
-            format!("{} %", number::significant(100.0 * part, 2))
-        });
+        let noise = noise(records);
         Some(Costs {
             rows: schemes
                 .iter()
@@ -63,11 +54,22 @@ impl Costs {
                 })
                 .collect(),
             kinds: kinds.iter().map(|kind| (*kind).into()).collect(),
-            yardstick: again.map_or(String::new(), |row| row.scheme.clone()),
-            noise,
+            yardstick: noise.as_ref().map_or(String::new(), |(scheme, _)| scheme.clone()),
+            noise: noise.map(|(_, words)| words),
             seconds: format!("{} s", number::significant(spent.fold(f64::INFINITY, f64::min), 2)),
         })
     }
+}
+
+/// The scheme that was timed twice, and how far its two results are apart.
+fn noise(records: &Records) -> Option<(String, String)> {
+    let again = records.costs.iter().find(|row| row.again)?;
+    let same = |row: &&CostRow| {
+        !row.again && (&row.scheme, &row.scene, &row.model) == (&again.scheme, &again.scene, &again.model)
+    };
+    let first = records.costs.iter().find(same)?;
+    let part = (again.nanoseconds_per_step / first.nanoseconds_per_step - 1.0).abs();
+    Some((again.scheme.clone(), format!("{} %", number::significant(100.0 * part, 2))))
 }
 
 /// `47.1 (2)`, or `47.1 to 92.0 (2)` where the scenes of a kind differ.

@@ -145,13 +145,7 @@ pub(super) fn compose(records: &Records, main: &Records, figures: &[Figure]) -> 
         ),
         drifts: main.drifts.iter().map(tables::DriftRow::new).collect(),
         overall: rankings::overall(records),
-        cheapest: [Work::Nanoseconds, Work::Evaluations]
-            .into_iter()
-            .filter_map(|work| {
-                let caption = "The cheapest scheme of each family for an error below each power of ten.";
-                figure(figures, &Subject::Cheapest(work), caption)
-            })
-            .collect(),
+        cheapest: cheapest(figures),
         costs: costs::Costs::new(records),
         scaling: figure(
             figures,
@@ -163,6 +157,13 @@ pub(super) fn compose(records: &Records, main: &Records, figures: &[Figure]) -> 
             .map(|name| scene::Scene::new(main, figures, name, rankings::Ranking::new(records, name)))
             .collect(),
     }
+}
+
+/// What an error costs, by time and by count.
+fn cheapest(figures: &[Figure]) -> Vec<FigureView> {
+    let caption = "The cheapest scheme of each family for an error below each power of ten.";
+    let works = [Work::Nanoseconds, Work::Evaluations].into_iter();
+    works.filter_map(|work| figure(figures, &Subject::Cheapest(work), caption)).collect()
 }
 
 fn figure(figures: &[Figure], subject: &Subject, caption: &str) -> Option<FigureView> {

@@ -186,15 +186,11 @@ fn draw_row(sketch: &mut Sketch, palette: &Palette, row: &Row, cell: Frame, cast
         (Cast::Everyone, Names::Ends) => Names::None,
         (_, names) => names,
     });
-    let widths: Vec<f64> = row
-        .ladders
-        .iter()
-        .zip(names)
-        .map(|(ladders, names)| match one::names(ladders, names) {
-            list if list.is_empty() => 24.0,
-            list => labels::column_width(list.into_iter()),
-        })
-        .collect();
+    let width = |(ladders, names): (&Vec<Ladder>, Names)| match one::names(ladders, names) {
+        list if list.is_empty() => 24.0,
+        list => labels::column_width(list.into_iter()),
+    };
+    let widths: Vec<f64> = row.ladders.iter().zip(names).map(width).collect();
     const LEFT: f64 = 118.0;
     let panel = (cell.right - cell.left - widths.iter().sum::<f64>()) / 3.0 - LEFT;
     let mut left = cell.left;
