@@ -101,8 +101,14 @@ fn wrong_usage_is_64_and_tells_what_there_is() {
 
 #[test]
 fn help_is_no_failure_and_shows_examples() {
-    for arguments in [vec!["--help"], vec!["gate", "--help"], vec!["run", "--help"], vec!["report", "--help"]]
-    {
+    for arguments in [
+        vec!["--help"],
+        vec!["gate", "--help"],
+        vec!["run", "--help"],
+        vec!["advise", "--help"],
+        vec!["sweep", "--help"],
+        vec!["report", "--help"],
+    ] {
         let output = polhode(&arguments);
         assert_eq!(code(&output), 0);
         assert!(String::from_utf8_lossy(&output.stdout).contains("Examples:"), "{arguments:?}");
@@ -309,4 +315,35 @@ fn a_comparison_is_1_where_the_second_is_worse_and_0_where_it_is_not() {
 #[test]
 fn an_engine_that_cannot_be_run_is_69() {
     assert_eq!(code(&polhode(&["gate", "--scheme", "engine:true"])), 69);
+}
+
+#[test]
+fn a_gate_measures_no_cost_and_a_report_does() {
+    let folder = scratch();
+    let path = folder.path().join("gate.json").to_string_lossy().into_owned();
+    let only = ["--scheme", "peskin-rk2", "--scene", "free-asymmetric", "--quiet"];
+    polhode(&[&["gate", "--json", &path][..], &only].concat());
+    let out = folder.path().join("report").to_string_lossy().into_owned();
+    let output = polhode(&[&["report", "--out", &out][..], &only].concat());
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    let read = |path: &Path| -> Value {
+        serde_json::from_str(&fs::read_to_string(path).expect("written")).expect("JSON")
+    };
+    let rows = |records: &Value, named: bool| {
+        let rows = records["measurements"].as_array().expect("rows").clone();
+        let ladder = rows.into_iter().filter(|row| row["metric"] == "orientation-end");
+        ladder.filter(|row| row["nanoseconds_per_step"].is_f64() == named).count()
+    };
+    let gate = read(Path::new(&path));
+    assert_eq!((rows(&gate, true), rows(&gate, false) > 5), (0, true));
+    assert_eq!(gate["costs"].as_array().map(Vec::len), Some(0));
+    let report = read(&Path::new(&out).join("records.json"));
+    assert_eq!((rows(&report, true) > 5, rows(&report, false)), (true, 0));
+    // The free body and its points, and the first again.
+    let costs = report["costs"].as_array().expect("costs");
+    assert_eq!(costs.len(), 3);
+    for row in costs {
+        assert_eq!(row["evaluations_per_step"].as_f64(), Some(2.0));
+        assert!(row["seconds"].as_f64() >= Some(0.25) && row["nanoseconds_per_step"].as_f64() > Some(0.0));
+    }
 }

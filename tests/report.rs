@@ -8,7 +8,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use polhode::record::{Drift, Measurement, Order, Records, Ruling, SCHEMA, Series, Verdict};
+use polhode::record::{
+    CostRow, Drift, Measurement, Order, Records, Ruling, SCHEMA, ScalingRow, SchemeRow, Series, Verdict,
+};
 use polhode::report;
 use synthetic::{SCENES, few, synthetic};
 
@@ -55,9 +57,11 @@ fn a_whole_report_has_every_file_and_every_picture_is_large() {
     assert_eq!(read.measurements.len(), records.measurements.len());
     assert!(read.verdicts.iter().map(|row| &row.detail).eq(records.verdicts.iter().map(|row| &row.detail)));
     let plots = plots(&folder);
-    // Convergence, invariants and work-precision a scene, and two of all of them.
-    assert_eq!(plots.len(), 3 * SCENES + 2);
-    assert_eq!(calls.load(Ordering::Relaxed), 3 * SCENES + 2);
+    // Convergence, invariants and two of work and precision a scene, and two of all of them. Scene 12 is exact in everything and
+    // has no errors to hold against work.
+    assert_eq!(plots.len(), 4 * SCENES + 2 - 2);
+    // Asked for beside those: every scheme's two pictures a scene, two of what is cheapest, and one of scaling.
+    assert_eq!(calls.load(Ordering::Relaxed), 6 * SCENES + 5);
     for path in plots {
         let (width, height) = png_size(&path);
         assert!(width >= 1600 && height >= 1000, "{}: {width} × {height}", path.display());
@@ -90,8 +94,8 @@ fn the_page_needs_nothing_but_itself_and_escapes_what_it_prints() {
     for foreign in ["src=", "url(", "@import", "<link", "<script", "href=\"http"] {
         assert!(!page.contains(foreign), "{foreign}");
     }
-    // 2 overview pictures and 3 a scene.
-    assert_eq!(page.matches("<svg ").count(), 8);
+    // 2 overview pictures and 4 a scene.
+    assert_eq!(page.matches("<svg ").count(), 10);
     assert!(!page.contains("<turned>"));
     assert!(page.contains("&lt;turned&gt;"));
     for word in ["not finite at step 12", "known since 2021", "outside 1 ± 0.15", "2.31", "4.4×10⁻¹⁴"]
@@ -176,9 +180,87 @@ fn pictures_that_an_earlier_report_left_are_removed() {
             "overview.png",
             "scene-02-convergence.png",
             "scene-02-invariants.png",
-            "scene-02-work-precision.png"
+            "scene-02-work-precision-motion.png",
+            "scene-02-work-precision-rotation.png"
         ]
     );
+}
+
+/// Whether a picture of this name was drawn.
+fn is_drawn(folder: &Path, name: &str) -> bool {
+    folder.join("plots").join(name).exists()
+}
+
+#[test]
+fn costs_stand_in_a_table_with_their_noise_and_gaps_are_said() {
+    let cost = |scheme: &str, kind: &str, nanoseconds, again| CostRow {
+        scheme: scheme.into(),
+        kind: kind.into(),
+        model: kind.into(),
+        scene: format!("{kind} {nanoseconds}"),
+        nanoseconds_per_step: nanoseconds,
+        evaluations_per_step: 2.0,
+        seconds: 0.25,
+        again,
+        ..CostRow::default()
+    };
+    let mut records = few(&[1, 2]);
+    records.costs = vec![
+        cost("peskin-rk2", "free", 50.0, false),
+        cost("peskin-rk2", "forced", 100.0, false),
+        cost("peskin-rk2", "forced", 180.0, false),
+        cost("euler", "free", 30.0, false),
+        CostRow { scene: "free 50".into(), ..cost("peskin-rk2", "free", 51.0, true) },
+    ];
+    let folder = written(&records);
+    let text = fs::read_to_string(folder.path().join("report.md")).unwrap();
+    assert!(text.contains("| peskin-rk2 | 50.0 (2) | 100 to 180 (2) |"), "{text}");
+    assert!(text.contains("| euler | 30.0 (2) | – |"));
+    assert!(text.contains("timed twice: the two differ by 2.0 %") && text.contains("at least 0.25 s"));
+    let without = written(&few(&[1]));
+    assert!(!fs::read_to_string(without.path().join("report.md")).unwrap().contains("## Cost"));
+}
+
+#[test]
+fn the_overview_of_cost_needs_two_families_and_scaling_its_rows() {
+    let mut records = few(&[1, 2]);
+    let pictures = ["cheapest-by-time.png", "cheapest-by-evaluations.png", "scaling.png"];
+    let folder = written(&records);
+    assert!(pictures.iter().all(|name| !is_drawn(folder.path(), name)));
+    records.schemes[1].family = "another".into();
+    let row = |size, value| ScalingRow {
+        what: "points".into(),
+        scheme: "peskin-rk2".into(),
+        form: "points, free".into(),
+        size,
+        value,
+        ..ScalingRow::default()
+    };
+    records.scaling = vec![row(1, 50.0), row(1000, 5e4)];
+    let folder = written(&records);
+    assert!(pictures.iter().all(|name| is_drawn(folder.path(), name)));
+    let page = fs::read_to_string(folder.path().join("index.html")).unwrap();
+    assert!(page.contains("error below [rad]") && page.contains("mass points K"));
+}
+
+#[test]
+fn schemes_that_stand_apart_have_pictures_that_the_page_names_and_does_not_hold() {
+    let mut records = few(&[1]);
+    let apart = SchemeRow { name: "apart".into(), apart: true, ..records.schemes[0].clone() };
+    records.schemes.push(apart);
+    let more: Vec<Measurement> = records
+        .measurements
+        .iter()
+        .filter(|row| row.scheme == "euler")
+        .map(|row| Measurement { scheme: "apart".into(), ..row.clone() })
+        .collect();
+    let main = written(&few(&[1]));
+    records.measurements.extend(more);
+    let folder = written(&records);
+    let name = "scene-01-work-precision-of-all-rotation.png";
+    assert!(is_drawn(folder.path(), name) && !is_drawn(main.path(), name));
+    let page = fs::read_to_string(folder.path().join("index.html")).unwrap();
+    assert!(page.contains(&format!("href=\"plots/{name}\"")) && !page.contains("every scheme, by family"));
 }
 
 #[test]

@@ -6,6 +6,7 @@
 mod cell;
 mod costs;
 mod rows;
+mod scaling;
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -19,6 +20,7 @@ use crate::scenes::Scene;
 use crate::simulate::Contestant;
 
 pub use costs::{add_costs, typical_step};
+pub use scaling::add_scaling;
 
 /// Samples of a reference over the run.
 const SAMPLES: usize = 64;

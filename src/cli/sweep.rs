@@ -10,9 +10,8 @@ use super::select;
 use crate::campaign;
 use crate::record;
 use crate::report::heat_map::{HeatMap, Map, Range, Scale};
-use crate::report::line_chart::{Line, LineChart};
+use crate::report::line_chart::{Line, LineChart, LinePanel};
 use crate::scenes::{FILES, Scene};
-use crate::simulate::Contestant;
 use crate::sweep::{Axis, Row, STEP, SceneText, Sweep};
 
 /// Options of `polhode sweep`.
@@ -95,7 +94,8 @@ pub(super) fn sweep(options: &Options, quiet: bool) -> Result<u8, Failure> {
         None => super::run::print(&text)?,
     }
     if let Some(path) = options.plot.clone().or(options.out.as_ref().map(|path| path.with_extension("png"))) {
-        draw(options, &scene, &sweep, &contestants, &rows, &path)?;
+        let names = contestants.iter().map(|contestant| contestant.card.name).collect();
+        draw(&Drawn { options, scene: &scene, sweep: &sweep, names, rows: &rows }, &path)?;
     }
     Ok(0)
 }
@@ -187,59 +187,74 @@ fn shown(options: &Options, sweep: &Sweep, row: &Row) -> Option<f64> {
     if options.show == Shown::Error && sweep.with_errors { row.error } else { row.energy.map(f64::abs) }
 }
 
-fn draw(
-    options: &Options,
-    scene: &Scene,
-    sweep: &Sweep,
-    contestants: &[Contestant],
-    rows: &[Row],
-    path: &Path,
-) -> Result<(), Failure> {
-    let of = |scheme: &str| rows.iter().filter(|row| row.scheme == scheme).collect::<Vec<_>>();
-    let words = if options.show == Shown::Error && sweep.with_errors {
-        let quantity = sweep.quantity;
-        format!("error of the {} at the end [{}]", quantity.name().replace('-', " "), quantity.unit())
-    } else {
-        "change of the energy, relative".to_owned()
-    };
-    let title = format!("{}: {words}", scene.title);
-    let names: Vec<&str> = contestants.iter().map(|contestant| contestant.card.name).collect();
-    let png = match &sweep.axes[..] {
-        [axis] => {
-            let line = |scheme: &&str| {
-                let points =
-                    of(scheme).iter().map(|row| (row.values[0], shown(options, sweep, row))).collect();
-                Line { words: (*scheme).to_owned(), points }
-            };
-            LineChart {
-                title: title.clone(),
-                subtitle: subtitle(scene, sweep),
-                description: title,
+/// What a picture is drawn from.
+struct Drawn<'a> {
+    options: &'a Options,
+    scene: &'a Scene,
+    sweep: &'a Sweep,
+    names: Vec<&'a str>,
+    rows: &'a [Row],
+}
+
+impl Drawn<'_> {
+    /// The numbers of a scheme that are drawn, in the order of the grid.
+    fn values(&self, scheme: &str) -> Vec<Option<f64>> {
+        let own = self.rows.iter().filter(|row| row.scheme == scheme);
+        own.map(|row| shown(self.options, self.sweep, row)).collect()
+    }
+
+    /// What the numbers are.
+    fn words(&self) -> String {
+        if self.options.show == Shown::Error && self.sweep.with_errors {
+            let quantity = self.sweep.quantity;
+            format!("error of the {} at the end [{}]", quantity.name().replace('-', " "), quantity.unit())
+        } else {
+            "change of the energy, relative".to_owned()
+        }
+    }
+
+    fn lines(&self, axis: &Axis) -> LineChart {
+        let line = |scheme: &&str| Line {
+            words: (*scheme).to_owned(),
+            points: axis.values.iter().copied().zip(self.values(scheme)).collect(),
+        };
+        LineChart {
+            title: self.scene.title.clone(),
+            subtitle: subtitle(self.scene, self.sweep),
+            description: format!("{}: {}", self.scene.title, self.words()),
+            panels: vec![LinePanel {
                 across: axis_title(axis),
                 across_logarithmic: axis.logarithmic,
-                up: words,
-                lines: names.iter().map(line).collect(),
-            }
-            .png()
+                up: self.words(),
+                lines: self.names.iter().map(line).collect(),
+            }],
         }
-        [up, across] => {
-            let map = |scheme: &&str| Map {
-                title: if names.len() > 1 { (*scheme).to_owned() } else { String::new() },
-                across: range(across),
-                up: range(up),
-                columns: across.values.len(),
-                cells: ordered(up, across, of(scheme).iter().map(|row| shown(options, sweep, row)).collect()),
-                curves: Vec::new(),
-            };
-            HeatMap {
-                title: title.clone(),
-                subtitle: format!("{} · {}", names.join(", "), subtitle(scene, sweep)),
-                description: title,
-                scale: Scale::Numbers { title: words, logarithmic: true, range: None },
-                panels: names.iter().map(map).collect(),
-            }
-            .png()
+    }
+
+    fn map(&self, up: &Axis, across: &Axis) -> HeatMap {
+        let map = |scheme: &&str| Map {
+            title: if self.names.len() > 1 { (*scheme).to_owned() } else { String::new() },
+            across: range(across),
+            up: range(up),
+            columns: across.values.len(),
+            cells: ordered(up, across, self.values(scheme)),
+            curves: Vec::new(),
+        };
+        let all: Vec<f64> = self.names.iter().flat_map(|name| self.values(name)).flatten().collect();
+        HeatMap {
+            title: self.scene.title.clone(),
+            subtitle: format!("{} · {}", self.names.join(", "), subtitle(self.scene, self.sweep)),
+            description: format!("{}: {}", self.scene.title, self.words()),
+            scale: Scale::Numbers { title: self.words(), logarithmic: true, range: shown_range(&all) },
+            panels: self.names.iter().map(map).collect(),
         }
+    }
+}
+
+fn draw(drawn: &Drawn, path: &Path) -> Result<(), Failure> {
+    let png = match &drawn.sweep.axes[..] {
+        [axis] => drawn.lines(axis).png(),
+        [up, across] => drawn.map(up, across).png(),
         axes => {
             eprintln!("polhode: no picture of {} keys: one or two can be drawn", axes.len());
             return Ok(());
@@ -247,6 +262,14 @@ fn draw(
     };
     let png = png.map_err(|error| Failure::Usage(error.to_string()))?;
     Ok(record::write_whole(path, &png)?)
+}
+
+/// The range of the colours: from the least number to the largest, but not where runs have left the motion for good.
+fn shown_range(values: &[f64]) -> Option<(f64, f64)> {
+    const LEFT_FOR_GOOD: f64 = 10.0;
+    let least = values.iter().copied().filter(|value| *value > 0.0).reduce(f64::min)?.max(1e-17);
+    let most = values.iter().copied().reduce(f64::max)?.min(LEFT_FOR_GOOD);
+    (least < most).then_some((least, most))
 }
 
 fn subtitle(scene: &Scene, sweep: &Sweep) -> String {

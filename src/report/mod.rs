@@ -160,7 +160,10 @@ fn write_pictures(
 fn write_picture(picture: &Picture, path: &Path) -> Result<Figure, ReportError> {
     let fault = |plot::Fault(why)| ReportError::Picture { path: path.into(), why };
     write_whole(path, &picture.png().map_err(fault)?)?;
-    Ok(Figure { subject: picture.subject.clone(), svg: picture.svg().map_err(fault)? })
+    // A picture of every scheme holds thousands of points; a page with one a scene would no longer open.
+    let inline = !matches!(picture.subject, Subject::WorkPrecision(_, plot::Cast::Everyone, _));
+    let svg = if inline { picture.svg().map_err(fault)? } else { String::new() };
+    Ok(Figure { subject: picture.subject.clone(), svg })
 }
 
 /// Removes the pictures that this report did not write.

@@ -7,23 +7,28 @@
 use crate::record::{Measurement, Records};
 use crate::report::survey;
 
-/// Which work is compared.
+/// What errors are held against.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Work {
     /// Force evaluations a second of simulated time.
     Evaluations,
     /// Nanoseconds a second of simulated time.
     Nanoseconds,
+    /// The step [s], which is no work.
+    Step,
 }
 
 impl Work {
-    /// Both.
-    pub(super) const ALL: [Work; 2] = [Work::Evaluations, Work::Nanoseconds];
-
     fn of(self, row: &Measurement) -> Option<f64> {
+        self.at(row, row)
+    }
+
+    /// The work of a run at the step of `row` if a step costs what one of `like` does.
+    fn at(self, row: &Measurement, like: &Measurement) -> Option<f64> {
         let per_step = match self {
-            Work::Evaluations => row.force_evaluations as f64 / row.steps.max(1) as f64,
-            Work::Nanoseconds => row.nanoseconds_per_step?,
+            Work::Evaluations => like.force_evaluations as f64 / like.steps.max(1) as f64,
+            Work::Nanoseconds => like.nanoseconds_per_step?,
+            Work::Step => return (row.step_s > 0.0).then_some(row.step_s),
         };
         (per_step > 0.0 && row.step_s > 0.0).then(|| per_step / row.step_s)
     }
@@ -48,9 +53,22 @@ pub(super) struct Ladder<'a> {
     pub family: &'a str,
     /// The rungs.
     pub points: Vec<Point>,
+    /// log₁₀ of the work of the rungs that broke, had they been whole.
+    pub broken: Vec<f64>,
 }
 
 impl Ladder<'_> {
+    /// log₁₀ of the work from which on the error stays below a bound, log₁₀, and whether less may do as well: where all rungs
+    /// are below it is that of the first. `None` where the last rung is not below.
+    pub(super) fn work_for(&self, error: f64) -> Option<(f64, bool)> {
+        let Some(above) = self.points.iter().rposition(|point| point.error > error) else {
+            return self.points.first().map(|point| (point.work, true));
+        };
+        let (before, after) = (self.points.get(above)?, self.points.get(above + 1)?);
+        let part = (before.error - error) / (before.error - after.error);
+        Some((before.work + part * (after.work - before.work), false))
+    }
+
     /// log₁₀ of the error for so much work, log₁₀; `None` outside the ladder.
     pub(super) fn error_at(&self, work: f64) -> Option<f64> {
         let pair = self.points.windows(2).find(|pair| pair[0].work <= work && work <= pair[1].work)?;
@@ -67,29 +85,17 @@ pub(super) fn quantity(records: &Records, scene: &str) -> &'static str {
     if records.measurements.iter().any(turns) { "orientation-end" } else { "body-point-end" }
 }
 
-/// The ladders of every scheme that was run on a scene; those without an error are left out.
-pub(super) fn ladders<'a>(records: &'a Records, scene: &str, work: Work) -> Vec<Ladder<'a>> {
-    let metric = quantity(records, scene);
-    let rows: Vec<&Measurement> = records
-        .measurements
-        .iter()
-        .filter(|row| row.scene == scene && row.metric == metric && row.status == "ok")
-        .collect();
+/// The ladders of every scheme that was run on a scene, for an error; those without any are left out.
+pub(super) fn ladders<'a>(records: &'a Records, scene: &str, metric: &str, work: Work) -> Vec<Ladder<'a>> {
+    let rows: Vec<&Measurement> =
+        records.measurements.iter().filter(|row| row.scene == scene && row.metric == metric).collect();
     let family = |name: &str| {
         records.schemes.iter().find(|row| row.name == name).map_or("", |row| row.family.as_str())
     };
     let one = |scheme: &'a str| {
-        let mut points: Vec<Point> = rows
-            .iter()
-            .filter(|row| row.scheme == scheme)
-            .filter_map(|row| {
-                let error = row.value.filter(|value| *value > 0.0 && value.is_finite())?;
-                let lost = error <= 10.0 * row.uncertainty.unwrap_or(0.0);
-                Some(Point { work: work.of(row)?.log10(), error: error.log10(), lost })
-            })
-            .collect();
-        points.sort_by(|a, b| a.work.total_cmp(&b.work));
-        Ladder { scheme, family: family(scheme), points }
+        let own: Vec<&Measurement> = rows.iter().filter(|row| row.scheme == scheme).copied().collect();
+        let (points, broken) = rungs(&own, work);
+        Ladder { scheme, family: family(scheme), points, broken }
     };
     survey::schemes(records)
         .into_iter()
@@ -98,13 +104,54 @@ pub(super) fn ladders<'a>(records: &'a Records, scene: &str, work: Work) -> Vec<
         .collect()
 }
 
+/// The rungs of one scheme, work rising, and the work of those that broke.
+fn rungs(own: &[&Measurement], work: Work) -> (Vec<Point>, Vec<f64>) {
+    let whole = || own.iter().filter(|row| row.status == "ok");
+    let mut points: Vec<Point> = whole()
+        .filter_map(|row| {
+            let error = row.value.filter(|value| *value > 0.0 && value.is_finite())?;
+            let lost = error <= 10.0 * row.uncertainty.unwrap_or(0.0);
+            Some(Point { work: work.of(row)?.log10(), error: error.log10(), lost })
+        })
+        .collect();
+    points.sort_by(|a, b| a.work.total_cmp(&b.work));
+    // A run that broke has counted a part of its work only.
+    let like = whole().next();
+    let broken = own.iter().filter(|row| row.status == "broken");
+    let broken = broken.filter_map(|row| work.at(row, like?)).map(f64::log10).collect();
+    (points, broken)
+}
+
+/// What the reference leaves undecided in an error, log₁₀: no run is held against anything better.
+pub(super) fn floor(records: &Records, scene: &str, metric: &str) -> Option<f64> {
+    let rows = records.measurements.iter().filter(|row| row.scene == scene && row.metric == metric);
+    let known = rows.filter_map(|row| row.uncertainty).filter(|floor| *floor > 0.0 && floor.is_finite());
+    known.reduce(f64::min).map(f64::log10)
+}
+
+/// The points that no other beats in work and error both, work rising: scheme, log₁₀ work, log₁₀ error.
+pub(super) fn front<'a>(ladders: &[Ladder<'a>]) -> Vec<(&'a str, f64, f64)> {
+    let mut points: Vec<(&str, f64, f64)> = ladders
+        .iter()
+        .flat_map(|ladder| ladder.points.iter().map(|point| (ladder.scheme, point.work, point.error)))
+        .collect();
+    points.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.2.total_cmp(&b.2)));
+    let mut least = f64::INFINITY;
+    points.retain(|(_, _, error)| {
+        let better = *error < least;
+        least = least.min(*error);
+        better
+    });
+    points
+}
+
 /// A scheme in the ranking of a scene.
 pub(super) struct Place<'a> {
     /// Name.
     pub scheme: &'a str,
     /// Family.
     pub family: &'a str,
-    /// Error for the work of the yardstick; `None` where its ladder has no such work.
+    /// Error for the evaluations of the yardstick; `None` where its ladder has no such work.
     pub error: Option<f64>,
     /// Error for the time of the yardstick.
     pub error_at_time: Option<f64>,
@@ -114,8 +161,12 @@ pub(super) struct Place<'a> {
 pub(super) struct Ranking<'a> {
     /// The scheme whose step is the unit of work.
     pub yardstick: &'a str,
+    /// Its step [s].
+    pub step: f64,
     /// Its evaluations a simulated second.
     pub evaluations: f64,
+    /// Its nanoseconds a simulated second, where it was timed.
+    pub nanoseconds: Option<f64>,
     /// Its error.
     pub error: f64,
     /// The places.
@@ -127,18 +178,25 @@ const RUNG: usize = 2;
 
 /// Ranks the schemes of a scene; `None` where no scheme has errors. The yardstick is the first scheme of the records.
 pub(super) fn rank<'a>(records: &'a Records, scene: &str) -> Option<Ranking<'a>> {
-    let [counted, timed] = Work::ALL.map(|work| ladders(records, scene, work));
+    let metric = quantity(records, scene);
+    let [counted, timed] =
+        [Work::Evaluations, Work::Nanoseconds].map(|work| ladders(records, scene, metric, work));
     let yardstick = counted.first()?;
     let at = yardstick.points.get(RUNG).or(yardstick.points.last())?;
+    let its = |ladder: &&Ladder| ladder.scheme == yardstick.scheme;
     let time = timed
         .iter()
-        .find(|ladder| ladder.scheme == yardstick.scheme)
+        .find(its)
         .and_then(|ladder| ladder.points.get(RUNG).or(ladder.points.last()))
         .map(|point| point.work);
     let of_time = |scheme: &str| {
         let ladder = timed.iter().find(|ladder| ladder.scheme == scheme)?;
         ladder.error_at(time?)
     };
+    let row = records.measurements.iter().find(|row| {
+        let same = row.scene == scene && row.scheme == yardstick.scheme && row.metric == metric;
+        same && row.value.is_some_and(|value| value.log10() == at.error)
+    });
     let mut places: Vec<Place> = counted
         .iter()
         .map(|ladder| Place {
@@ -152,7 +210,9 @@ pub(super) fn rank<'a>(records: &'a Records, scene: &str) -> Option<Ranking<'a>>
     places.sort_by(|a, b| key(a).total_cmp(&key(b)));
     Some(Ranking {
         yardstick: yardstick.scheme,
+        step: row.map_or(0.0, |row| row.step_s),
         evaluations: 10f64.powf(at.work),
+        nanoseconds: time.map(|time| 10f64.powf(time)),
         error: 10f64.powf(at.error),
         places,
     })
@@ -166,10 +226,47 @@ mod tests {
     fn errors_between_rungs_lie_on_a_straight_line_and_outside_there_is_none() {
         let point = |work, error| Point { work, error, lost: false };
         let points = vec![point(1.0, -2.0), point(2.0, -4.0), point(3.0, -8.0)];
-        let ladder = Ladder { scheme: "a", family: "b", points };
+        let ladder = Ladder { scheme: "a", family: "b", points, broken: Vec::new() };
         assert_eq!(ladder.error_at(1.5), Some(-3.0));
         assert_eq!(ladder.error_at(2.75), Some(-7.0));
         assert_eq!(ladder.error_at(0.9), None);
         assert_eq!(ladder.error_at(3.1), None);
+    }
+
+    #[test]
+    fn the_work_for_an_error_is_that_from_which_on_it_stays_below() {
+        let point = |work, error| Point { work, error, lost: false };
+        // The second rung is lucky.
+        let points = vec![point(1.0, -2.0), point(2.0, -6.0), point(3.0, -4.0), point(4.0, -8.0)];
+        let ladder = Ladder { scheme: "a", family: "b", points, broken: Vec::new() };
+        assert_eq!(ladder.work_for(-5.0), Some((3.25, false)));
+        assert_eq!(ladder.work_for(-1.0), Some((1.0, true)));
+        assert_eq!(ladder.work_for(-9.0), None);
+    }
+
+    #[test]
+    fn a_run_that_broke_stands_at_the_work_that_it_would_have_cost() {
+        let row = |steps, value, status: &str| Measurement {
+            step_s: 1.0 / steps as f64,
+            steps,
+            value,
+            status: status.into(),
+            force_evaluations: if value.is_some() { 2 * steps } else { 1 },
+            ..Measurement::default()
+        };
+        let rows = [row(1, None, "broken"), row(10, Some(1e-3), "ok"), row(100, Some(1e-5), "ok")];
+        let (points, broken) = rungs(&rows.iter().collect::<Vec<_>>(), Work::Evaluations);
+        assert_eq!(points.len(), 2);
+        assert!((broken[0] - 2f64.log10()).abs() < 1e-12, "{broken:?}");
+        assert_eq!(rungs(&rows.iter().collect::<Vec<_>>(), Work::Nanoseconds), (vec![], vec![]));
+    }
+
+    #[test]
+    fn the_front_holds_what_nothing_beats() {
+        let point = |work, error, lost| Point { work, error, lost };
+        let ladder = |scheme, points| Ladder { scheme, family: "", points, broken: Vec::new() };
+        let a = ladder("a", vec![point(1.0, -1.0, false), point(3.0, -3.0, false)]);
+        let b = ladder("b", vec![point(2.0, -2.0, false), point(4.0, -2.5, false), point(5.0, -9.0, true)]);
+        assert_eq!(front(&[a, b]), [("a", 1.0, -1.0), ("b", 2.0, -2.0), ("a", 3.0, -3.0), ("b", 5.0, -9.0)]);
     }
 }

@@ -173,6 +173,13 @@ pub(super) fn quantity_words(quantity: &str) -> String {
     quantity.trim_end_matches("-end").trim_end_matches("-max").replace('-', " ")
 }
 
+/// A text with a capital first letter.
+pub(super) fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    let first: String = letters.next().map(|letter| letter.to_uppercase().collect()).unwrap_or_default();
+    format!("{first}{}", letters.as_str())
+}
+
 /// Where a quantity is taken, in words: `at the end`, `maximum over the run`, or nothing.
 pub(super) fn place_words(quantity: &str) -> &'static str {
     match quantity {

@@ -15,7 +15,9 @@ use self::row::{Row, Standing};
 use self::side::Side;
 use super::Failure;
 use super::gate::measure_with;
+use super::report::SECONDS_A_COST;
 use super::select::{self, Selection};
+use crate::campaign;
 use crate::gates::Baseline;
 use crate::record::Records;
 
@@ -87,7 +89,9 @@ fn sides(options: &Options, quiet: bool) -> Result<(Side, Side), Failure> {
                 contestants.push(select::contestant(&options.b)?);
             }
             let scenes = Selection::of_scenes(options.scenes.clone()).scenes()?;
-            let records = measure_with(scenes, contestants, Baseline::built_in(), false, quiet);
+            let mut records =
+                measure_with(scenes.clone(), contestants.clone(), Baseline::built_in(), false, quiet);
+            campaign::add_costs(&mut records, &scenes, &contestants, SECONDS_A_COST);
             Ok((Side::scheme(&options.a, records.clone()), Side::scheme(&options.b, records)))
         }
         _ => Err(Failure::Usage("compare two schemes or two records files, not one of each".to_owned())),

@@ -1,5 +1,6 @@
 //! What the HTML and the Markdown report say: every number already in print, with its unit and uncertainty.
 
+mod costs;
 mod rankings;
 mod scene;
 mod tables;
@@ -11,13 +12,14 @@ use crate::record::{Machine, Records, Verdict};
 use super::engines;
 use super::number;
 use super::plot::Subject;
+use super::ranking::Work;
 use super::survey::{self, Outcome};
 
 /// A picture that was drawn.
 pub(super) struct Figure {
     /// What it shows.
     pub subject: Subject,
-    /// The picture as an SVG element.
+    /// The picture as an SVG element; empty where the page only names its file, because it is large.
     pub svg: String,
 }
 
@@ -40,6 +42,9 @@ pub(super) struct Page {
     drifts: Vec<tables::DriftRow>,
     overall: Vec<rankings::Overall>,
     engines: Option<engines::Section>,
+    cheapest: Vec<FigureView>,
+    costs: Option<costs::Costs>,
+    scaling: Option<FigureView>,
     scenes: Vec<scene::Scene>,
 }
 
@@ -143,11 +148,25 @@ pub(super) fn compose(records: &Records, main: &Records, figures: &[Figure]) -> 
         drifts: main.drifts.iter().map(tables::DriftRow::new).collect(),
         overall: rankings::overall(records),
         engines: engines::Section::new(records, figures),
+        cheapest: cheapest(figures),
+        costs: costs::Costs::new(records),
+        scaling: figure(
+            figures,
+            &Subject::Scaling,
+            "Cost of a step against the mass points of the body, and of a campaign against its cells.",
+        ),
         scenes: survey::scenes(records)
             .into_iter()
             .map(|name| scene::Scene::new(main, figures, name, rankings::Ranking::new(records, name)))
             .collect(),
     }
+}
+
+/// What an error costs, by time and by count.
+fn cheapest(figures: &[Figure]) -> Vec<FigureView> {
+    let caption = "The cheapest scheme of each family for an error below each power of ten.";
+    let works = [Work::Nanoseconds, Work::Evaluations].into_iter();
+    works.filter_map(|work| figure(figures, &Subject::Cheapest(work), caption)).collect()
 }
 
 pub(super) fn figure(figures: &[Figure], subject: &Subject, caption: &str) -> Option<FigureView> {

@@ -12,7 +12,9 @@ use crate::report::{number, ranking, survey};
 pub(super) struct Ranking {
     quantity: String,
     yardstick: String,
+    step: String,
     evaluations: String,
+    nanoseconds: Option<String>,
     rows: Vec<Row>,
 }
 
@@ -25,6 +27,7 @@ struct Row {
     error: String,
     ratio: String,
     error_at_time: String,
+    ratio_at_time: String,
 }
 
 impl Ranking {
@@ -33,18 +36,24 @@ impl Ranking {
         let ranking = ranking::rank(records, scene).filter(|ranking| ranking.places.len() > 1)?;
         let unit = if ranking::quantity(records, scene) == "orientation-end" { "rad" } else { "m" };
         let error = |error: Option<f64>| number::quantity(error, None, unit);
+        let ratio = |error: Option<f64>| {
+            error.map_or(number::NONE.into(), |error| number::significant(error / ranking.error, 3))
+        };
         let row = |(index, place): (usize, &ranking::Place)| Row {
             place: place.error.map_or(String::new(), |_| (index + 1).to_string()),
             scheme: place.scheme.into(),
             family: place.family.into(),
             error: error(place.error),
-            ratio: place.error.map_or(number::NONE.into(), |e| number::significant(e / ranking.error, 3)),
+            ratio: ratio(place.error),
             error_at_time: error(place.error_at_time),
+            ratio_at_time: ratio(place.error_at_time),
         };
         Some(Ranking {
             quantity: survey::quantity_words(ranking::quantity(records, scene)),
             yardstick: ranking.yardstick.into(),
-            evaluations: number::significant(ranking.evaluations, 3),
+            step: format!("{} s", number::setting(ranking.step)),
+            evaluations: number::significant(ranking.evaluations * ranking.step, 3),
+            nanoseconds: ranking.nanoseconds.map(|cost| number::significant(cost * ranking.step, 3)),
             rows: ranking.places.iter().enumerate().map(row).collect(),
         })
     }

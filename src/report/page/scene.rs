@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::record::{Measurement, Records, ReferenceRow, SceneRow};
-use crate::report::plot::Subject;
+use crate::report::plot::{Cast, Group, Subject};
 use crate::report::{number, survey};
 
 use super::rankings::Ranking;
@@ -140,12 +140,18 @@ impl Reference {
 fn scene_figures(figures: &[Figure], name: &str) -> Vec<FigureView> {
     let convergence = "Error at the end of the run against the time step.";
     let invariants = "Change of energy and angular momentum against time.";
-    let work = "Error at the end of the run against work.";
-    let views = [
+    let mut views = vec![
         figure(figures, &Subject::Convergence(name.into()), convergence),
         figure(figures, &Subject::Invariants(name.into()), invariants),
-        figure(figures, &Subject::WorkPrecision(name.into()), work),
     ];
+    for cast in [Cast::Main, Cast::Everyone] {
+        let caption = match cast {
+            Cast::Main => "Error at the end of the run against cost and against the step.",
+            Cast::Everyone => "Every scheme: error at the end of the run against cost and against the step.",
+        };
+        let of = |group| figure(figures, &Subject::WorkPrecision(name.into(), cast, group), caption);
+        views.extend(Group::ALL.map(of));
+    }
     views.into_iter().flatten().collect()
 }
 

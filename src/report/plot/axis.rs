@@ -72,6 +72,8 @@ fn digit_ticks(low: f64, high: f64) -> Vec<f64> {
 /// Labels at 1, 2 and 5 times the powers of ten, where a range is too short for powers of ten alone.
 fn digit_labels(low: f64, high: f64, most: usize) -> Vec<(f64, String)> {
     let label = |(place, digit, power): (f64, i32, i32)| match digit {
+        // A short range of counts reads best as it is counted.
+        _ if (0..4).contains(&power) => (place, (digit * 10i32.pow(power as u32)).to_string()),
         1 => (place, format!("10{}", superscript(power))),
         _ => (place, format!("{digit}×10{}", superscript(power))),
     };
@@ -101,6 +103,7 @@ mod tests {
         assert_eq!(words(&Axis::logarithmic(-3.2, 0.1, 7)), ["10⁻³", "10⁻²", "10⁻¹", "10⁰"]);
         assert_eq!(words(&Axis::logarithmic(-8.5, 0.0, 5)), ["10⁻⁸", "10⁻⁶", "10⁻⁴", "10⁻²", "10⁰"]);
         assert_eq!(words(&Axis::logarithmic(-2.9, -2.1, 5)), ["2×10⁻³", "5×10⁻³"]);
+        assert_eq!(words(&Axis::logarithmic(0.25, 0.95, 5)), ["2", "5"]);
     }
 
     #[test]

@@ -40,10 +40,8 @@ pub(super) fn draw(sketch: &mut Sketch, palette: &Palette, quantity: &Quantity, 
 
 fn title(quantity: &Quantity) -> String {
     let words = survey::quantity_words(quantity.name);
-    let mut letters = words.chars();
-    let first: String = letters.next().map(|letter| letter.to_uppercase().collect()).unwrap_or_default();
     let unit = if quantity.unit.is_empty() { "1" } else { quantity.unit };
-    format!("{first}{} error [{unit}]", letters.as_str())
+    format!("{} error [{unit}]", survey::capital(&words))
 }
 
 fn axes(quantity: &Quantity, frame: Frame) -> Panel {

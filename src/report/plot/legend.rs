@@ -28,6 +28,10 @@ pub(super) enum Sign {
     Guide,
     /// The cross of a broken run.
     Cross,
+    /// The line of a front.
+    Front,
+    /// What stands beyond the chart.
+    Arrow,
     /// A cell of a map.
     Swatch(RGBColor),
     /// A curve over a map.
@@ -103,6 +107,8 @@ fn draw_sign(sketch: &mut Sketch, sign: Sign, (x, y): Place) {
         Sign::Band => sketch.area((x, y - 14.0), (x + LENGTH, y + 14.0), tint(BAND, 1.0)),
         Sign::Guide => sketch.dashes(from, to, GUIDE, 3.0),
         Sign::Cross => sketch.cross(middle, 10.0, SOFT),
+        Sign::Front => sketch.line(vec![from, to], INK, 4.0),
+        Sign::Arrow => sketch.arrow(middle, 11.0, SOFT),
         Sign::Swatch(ink) => {
             sketch.area((x, y - 16.0), (x + LENGTH, y + 16.0), ink);
             sketch.outline((x, y - 16.0), (x + LENGTH, y + 16.0), SOFT, 2.0);

@@ -1,4 +1,4 @@
-//! One panel of lines: a number against a number, a line for each name, labelled at its end.
+//! Lines: a number against a number, a line for each name, labelled at its end.
 
 use super::axis::Axis;
 use super::convergence_panel::bounds;
@@ -7,10 +7,10 @@ use super::legend::{self, Entry, Sign};
 use super::palette::Palette;
 use super::panel::{self, Frame, Panel};
 use super::render::{self, Fault};
-use super::sketch::{Anchor, Place, Sketch};
-use crate::report::DrawingError;
+use super::sketch::{Place, Sketch};
+use crate::report::{DrawingError, survey};
 
-/// A picture of lines.
+/// A picture of lines, in one panel or in several side by side.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LineChart {
     /// Title.
@@ -19,6 +19,13 @@ pub struct LineChart {
     pub subtitle: String,
     /// What the picture shows, for those who cannot see it.
     pub description: String,
+    /// The panels, from left to right. Lines of one name have one look in all of them.
+    pub panels: Vec<LinePanel>,
+}
+
+/// A panel of lines.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LinePanel {
     /// Name and unit of the horizontal axis.
     pub across: String,
     /// Whether equal distances on it are equal ratios.
@@ -54,34 +61,45 @@ impl LineChart {
     }
 
     pub(super) fn sketch(&self) -> Sketch {
-        let palette = Palette::new(self.lines.iter().map(|line| line.words.as_str()).collect());
+        let lines = || self.panels.iter().flat_map(|panel| &panel.lines);
+        let palette = Palette::new(survey::distinct(lines().map(|line| line.words.as_str())));
         let mut entries: Vec<Entry> = palette
             .schemes()
             .iter()
             .map(|name| Entry::new(Sign::Scheme(palette.look(name)), *name))
             .collect();
-        if self.lines.iter().any(|line| line.points.iter().any(|(_, value)| value.is_none())) {
+        if lines().any(|line| line.points.iter().any(|(_, value)| value.is_none())) {
             entries.push(Entry::new(Sign::Cross, "no value: the run broke"));
         }
-        let room = WIDTH - 2.0 * MARGIN - 20.0;
+        let width = if self.panels.len() > 1 { 2600.0 } else { WIDTH };
+        let room = width - 2.0 * MARGIN - 20.0;
         let strip = legend::height(&entries, room);
-        let mut sketch = Sketch::new(WIDTH, HEIGHT + strip, self.description.clone());
+        let mut sketch = Sketch::new(width, HEIGHT + strip, self.description.clone());
         panel::headline(&mut sketch, &self.title, &self.subtitle);
-        let column = labels::column_width(self.lines.iter().map(|line| line.words.as_str()));
-        let frame = Frame { left: 170.0, top: 210.0, right: WIDTH - MARGIN - column, bottom: HEIGHT - 150.0 };
-        let panel = self.panel(frame);
-        panel.draw_grid(&mut sketch);
-        for line in &self.lines {
-            self.draw(&mut sketch, &panel, &palette, line);
+        let all = Frame { left: MARGIN, top: 150.0, right: width - MARGIN, bottom: HEIGHT - 20.0 };
+        for (index, panel) in self.panels.iter().enumerate() {
+            panel.draw(&mut sketch, &palette, all.cell((self.panels.len(), 1), index));
         }
-        panel.draw_frame(&mut sketch);
-        panel.label_x(&mut sketch, &self.across);
-        panel.label_y(&mut sketch);
-        sketch.text(&self.up, (frame.left, frame.top - 30.0), Anchor::Start, panel::TITLE);
-        let ends = self.lines.iter().filter_map(|line| self.label(&panel, &palette, line)).collect();
-        labels::draw(&mut sketch, frame, ends);
         legend::draw(&mut sketch, &entries, MARGIN + 20.0, HEIGHT - MARGIN, room);
         sketch
+    }
+}
+
+impl LinePanel {
+    fn draw(&self, sketch: &mut Sketch, palette: &Palette, cell: Frame) {
+        let column = labels::column_width(self.lines.iter().map(|line| line.words.as_str()));
+        let frame = cell.inside(140.0, 60.0, column, 130.0);
+        let panel = self.panel(frame);
+        panel.draw_grid(sketch);
+        for line in &self.lines {
+            self.draw_line(sketch, &panel, palette, line);
+        }
+        panel.draw_frame(sketch);
+        panel.label_x(sketch, &self.across);
+        panel.label_y(sketch);
+        panel.title(sketch, &self.up);
+        let ends = self.lines.iter().filter_map(|line| self.label(&panel, palette, line)).collect();
+        labels::draw(sketch, frame, ends);
     }
 
     fn panel(&self, frame: Frame) -> Panel {
@@ -96,7 +114,7 @@ impl LineChart {
         } else {
             Axis::linear(left - margin, right + margin, 8)
         };
-        Panel { frame, x, y: Axis::logarithmic(low - 0.3, high + 0.6, 9) }
+        Panel { frame, x, y: Axis::logarithmic(low - 0.15, high + 0.3, 9) }
     }
 
     fn on(&self, x: f64) -> f64 {
@@ -108,7 +126,7 @@ impl LineChart {
         Some(panel.place(self.on(x), y.log10()))
     }
 
-    fn draw(&self, sketch: &mut Sketch, panel: &Panel, palette: &Palette, line: &Line) {
+    fn draw_line(&self, sketch: &mut Sketch, panel: &Panel, palette: &Palette, line: &Line) {
         let look = palette.look(&line.words);
         let gap = |point: &(f64, Option<f64>)| self.place(panel, *point).is_none();
         for piece in line.points.split(gap) {

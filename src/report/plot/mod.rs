@@ -1,6 +1,7 @@
 //! The pictures of a report: which there are, and how each is drawn.
 
 mod axis;
+mod cheapest;
 mod colour_map;
 mod convergence;
 mod convergence_panel;
@@ -20,15 +21,19 @@ mod panel;
 mod raster;
 mod render;
 mod sketch;
+mod scaling;
 pub(super) mod stability;
 mod work_precision;
+mod work_precision_panel;
 
 use crate::record::Records;
 
+use super::ranking::Work;
 use super::survey;
 use palette::Palette;
 pub(in crate::report) use render::{Fault, alone};
 use sketch::Sketch;
+pub(super) use work_precision::{Cast, Group};
 
 /// What a picture shows.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -41,8 +46,12 @@ pub(super) enum Subject {
     Convergence(String),
     /// Invariants of one scene against time.
     Invariants(String),
-    /// Errors of every scheme on one scene against its work.
-    WorkPrecision(String),
+    /// Errors of one scene against cost and step: of the main schemes or of all, in a group of quantities.
+    WorkPrecision(String, Cast, Group),
+    /// What an error costs in each family.
+    Cheapest(Work),
+    /// Cost against size.
+    Scaling,
     /// Errors of foreign programs and of schemes on one scene, against step and cost.
     Engines(String),
 }
@@ -60,7 +69,13 @@ impl Subject {
             Subject::DriftRates => "drift-rates".into(),
             Subject::Convergence(scene) => format!("{}-convergence", survey::file_stem(scene)),
             Subject::Invariants(scene) => format!("{}-invariants", survey::file_stem(scene)),
-            Subject::WorkPrecision(scene) => format!("{}-work-precision", survey::file_stem(scene)),
+            Subject::WorkPrecision(scene, cast, group) => {
+                let whose = if *cast == Cast::Everyone { "-of-all" } else { "" };
+                format!("{}-work-precision{whose}-{}", survey::file_stem(scene), group.word())
+            }
+            Subject::Cheapest(Work::Nanoseconds) => "cheapest-by-time".into(),
+            Subject::Cheapest(_) => "cheapest-by-evaluations".into(),
+            Subject::Scaling => "scaling".into(),
             Subject::Engines(scene) => format!("engines-{}", survey::file_stem(scene)),
         }
     }
@@ -87,11 +102,19 @@ impl Picture {
 
 /// Everything that the records may have a picture of.
 pub(super) fn subjects(records: &Records) -> Vec<Subject> {
-    let mut subjects = vec![Subject::Overview, Subject::DriftRates];
+    let mut subjects = vec![
+        Subject::Overview,
+        Subject::DriftRates,
+        Subject::Cheapest(Work::Nanoseconds),
+        Subject::Cheapest(Work::Evaluations),
+        Subject::Scaling,
+    ];
     for scene in survey::scenes(records) {
         subjects.push(Subject::Convergence(scene.into()));
         subjects.push(Subject::Invariants(scene.into()));
-        subjects.push(Subject::WorkPrecision(scene.into()));
+        for cast in [Cast::Main, Cast::Everyone] {
+            subjects.extend(Group::ALL.map(|group| Subject::WorkPrecision(scene.into(), cast, group)));
+        }
     }
     subjects.extend(engine_subjects(records));
     subjects
@@ -133,7 +156,11 @@ pub(super) fn lay_out(
         Subject::DriftRates => drift::sketch(main, &palette),
         Subject::Convergence(scene) => convergence::sketch(main, &palette, scene),
         Subject::Invariants(scene) => invariants::sketch(main, &palette, scene),
-        Subject::WorkPrecision(scene) => work_precision::sketch(records, scene),
+        Subject::WorkPrecision(scene, cast, group) => {
+            work_precision::sketch(records, main, scene, (*cast, *group))
+        }
+        Subject::Cheapest(work) => cheapest::sketch(records, *work),
+        Subject::Scaling => scaling::sketch(records),
         Subject::Engines(scene) => engines::sketch(records, scene),
     };
     Ok(sketch.map(|sketch| Picture { subject: subject.clone(), sketch }))

@@ -134,9 +134,15 @@ impl Sketch {
         self.shapes.push(Shape::Area { corners, ink });
     }
 
-    /// Adds the outline of an upright rectangle.
+    /// Adds the outline of an upright rectangle. (One line around it would cross itself where it ends, and be empty there.)
     pub(super) fn outline(&mut self, low: Place, high: Place, ink: RGBColor, width: f64) {
-        self.line(vec![low, (high.0, low.1), high, (low.0, high.1), low, (high.0, low.1)], ink, width);
+        let half = width / 2.0;
+        for y in [low.1, high.1] {
+            self.line(vec![(low.0 - half, y), (high.0 + half, y)], ink, width);
+        }
+        for x in [low.0, high.0] {
+            self.line(vec![(x, low.1 - half), (x, high.1 + half)], ink, width);
+        }
     }
 
     /// Adds a rectangle of cells.
@@ -162,6 +168,13 @@ impl Sketch {
             Some(corners) => Shape::Area { corners, ink },
             None => Shape::Disc { centre, radius, ink },
         });
+    }
+
+    /// Adds an arrow that points upwards: the sign of an error beyond the chart.
+    pub(super) fn arrow(&mut self, centre: Place, radius: f64, ink: RGBColor) {
+        let (x, y) = centre;
+        self.line(vec![(x, y + radius), (x, y - radius)], ink, 4.0);
+        self.line(vec![(x - 0.7 * radius, y), (x, y - radius), (x + 0.7 * radius, y)], ink, 4.0);
     }
 
     /// Adds a slanting cross: the sign of a run that broke.

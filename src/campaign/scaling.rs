@@ -1,0 +1,148 @@
+//! How cost grows: a step with the mass points of the body, a campaign with its cells and its threads.
+
+use std::time::Instant;
+
+use nalgebra::Vector3;
+
+use super::Campaign;
+use crate::cost::{self, Course};
+use crate::gates::Baseline;
+use crate::interrupt;
+use crate::model::body::{Body, MassPoint};
+use crate::model::forces::{Drag, Law, PerPoint};
+use crate::model::{Spin, System};
+use crate::record::{Records, ScalingRow};
+use crate::rotation::Rotation;
+use crate::scenes::Scene;
+use crate::simulate::{Contestant, Form};
+
+/// Time that each size is timed for [s].
+const SECONDS: f64 = 0.02;
+/// h [s]: the bodies turn about a rad/s.
+const STEP: f64 = 0.01;
+/// Most mass points, and of a full report: there a run holds some hundred megabytes.
+const MOST_POINTS: usize = 100_000;
+const MOST_POINTS_IN_FULL: usize = 1_000_000;
+/// Scenes that campaigns are made of, free bodies whose cells cost about the same, and how many of them.
+const SCENES: [&str; 4] = ["free-asymmetric", "free-oblate", "euler-top-unit", "thin-body"];
+const CAMPAIGNS: [usize; 3] = [1, 2, 4];
+/// Schemes of each campaign, and of those of a full report.
+const SCHEMES: usize = 2;
+const SCHEMES_IN_FULL: usize = 12;
+
+/// Measures how cost grows and puts it into the records; a full report reaches further. To be called while nothing else runs.
+pub fn add_scaling(records: &mut Records, full: bool) {
+    let contestants = Contestant::main();
+    if let Some(first) = contestants.first() {
+        records.scaling.extend(with_points(first, if full { MOST_POINTS_IN_FULL } else { MOST_POINTS }));
+    }
+    let schemes = if full { SCHEMES_IN_FULL } else { SCHEMES };
+    records.scaling.extend(with_cells(&contestants[..schemes.min(contestants.len())]));
+}
+
+/// A helix of equal mass points: no two moments equal, nothing aligned. One point alone does not turn, two are a rod.
+fn cloud(count: usize, drag: bool) -> Option<System> {
+    let point = |k: usize| {
+        let angle = 0.7 * k as f64;
+        let height = 2.0 * k as f64 / count as f64;
+        MassPoint { mass: 1.0 / count as f64, position: Vector3::new(angle.cos(), 0.5 * angle.sin(), height) }
+    };
+    let points: Vec<MassPoint> = (0..count).map(point).collect();
+    let (body, center) = Body::from_points(&points, None).ok()?;
+    let laws = if drag {
+        vec![Law::Drag(Drag { coefficient: PerPoint::Same(0.1 / count as f64) })]
+    } else {
+        Vec::new()
+    };
+    let spin = Spin::Velocity(Vector3::new(0.3, -0.5, 0.8));
+    System::new(body, laws, center, Rotation::identity(), Vector3::zeros(), spin).ok()
+}
+
+/// Cost of a step against the number of mass points: free and under drag on every point, as points and reduced.
+fn with_points(contestant: &Contestant, most: usize) -> Vec<ScalingRow> {
+    let mut rows = Vec::new();
+    let mut count = 1;
+    while count <= most && !interrupt::requested() {
+        for (drag, load) in [(false, "free"), (true, "drag")] {
+            let Some(system) = cloud(count, drag) else { continue };
+            let course = |form| Course { contestant, system: &system, form, step: STEP, seconds: SECONDS };
+            let costs = cost::measure(&[course(Form::Points), course(Form::Least)]);
+            for (form, cost) in ["points", "reduced"].into_iter().zip(costs) {
+                rows.extend(cost.map(|cost| ScalingRow {
+                    what: "points".to_owned(),
+                    scheme: contestant.card.name.to_owned(),
+                    form: format!("{form}, {load}"),
+                    threads: 1,
+                    size: count as u64,
+                    value: cost.nanoseconds_per_step,
+                    unit: "ns/step".to_owned(),
+                }));
+            }
+        }
+        count = if count < 4 { count * 2 } else { next(count) };
+    }
+    rows
+}
+
+/// The next size: about √10 times as many, so that powers of ten are among them.
+fn next(count: usize) -> usize {
+    let power = 10usize.pow((count as f64).log10().floor() as u32);
+    if count < 3 * power { 3 * power } else { 10 * power }
+}
+
+/// Time of whole campaigns against their cells, on one thread and on more.
+fn with_cells(contestants: &[Contestant]) -> Vec<ScalingRow> {
+    let most = rayon::current_num_threads();
+    let mut threads = vec![1];
+    while threads.last().is_some_and(|last| 2 * last <= most) {
+        threads.push(2 * threads[threads.len() - 1]);
+    }
+    let mut rows = Vec::new();
+    for count in CAMPAIGNS {
+        let scenes: Vec<Scene> = SCENES[..count].iter().filter_map(|name| Scene::find(name).ok()).collect();
+        for threads in &threads {
+            let campaign = Campaign {
+                scenes: scenes.clone(),
+                contestants: contestants.to_vec(),
+                baseline: Baseline::built_in(),
+                series: false,
+                progress: &|_, _| (),
+            };
+            let Ok(pool) = rayon::ThreadPoolBuilder::new().num_threads(*threads).build() else { continue };
+            if interrupt::requested() {
+                break;
+            }
+            let begun = Instant::now();
+            pool.install(|| campaign.run());
+            rows.push(ScalingRow {
+                what: "cells".to_owned(),
+                scheme: String::new(),
+                form: String::new(),
+                threads: *threads,
+                size: (scenes.len() * contestants.len()) as u64,
+                value: begun.elapsed().as_secs_f64(),
+                unit: "s".to_owned(),
+            });
+        }
+    }
+    rows
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_are_one_and_three_times_the_powers_of_ten() {
+        assert_eq!([4, 10, 30, 100].map(next), [10, 30, 100, 300]);
+    }
+
+    #[test]
+    fn bodies_of_every_size_are_bodies() {
+        for count in [1, 2, 4, 10, 30] {
+            for drag in [false, true] {
+                assert_eq!(cloud(count, drag).expect("a system").body.points.len(), count);
+            }
+        }
+    }
+}
