@@ -7,7 +7,8 @@ use std::path::Path;
 /// A module and those it may use.
 const EDGES: &[(&str, &[&str])] = &[
     ("interrupt", &[]),
-    ("rotation", &[]),
+    ("number", &[]),
+    ("rotation", &["number"]),
     ("regression", &[]),
     ("record", &[]),
     ("elliptic", &[]),
@@ -18,7 +19,7 @@ const EDGES: &[(&str, &[&str])] = &[
     ("reference", &["model", "rotation"]),
     ("scenes", &["model", "rotation", "reference"]),
     ("simulate", &["interrupt", "model", "rotation", "schemes"]),
-    ("ensemble", &["interrupt", "model", "scenes", "schemes", "simulate"]),
+    ("ensemble", &["interrupt", "model", "number", "rotation", "scenes", "schemes", "simulate"]),
     ("adaptive", &["claim", "interrupt", "model", "reference", "schemes", "simulate"]),
     ("metrics", &["claim", "model", "reference", "regression", "rotation", "simulate"]),
     ("gates", &["claim", "metrics", "model", "record", "reference", "regression", "rotation", "schemes"]),

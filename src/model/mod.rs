@@ -11,6 +11,7 @@
 //! | [`Forced`] | forces on points | everything | all |
 //! | [`PointCloud`] | `--model points` | every mass point | all, O(K) |
 
+mod arms;
 pub mod body;
 mod change;
 mod falling;

@@ -117,6 +117,7 @@ struct OnAnyModel<S>(PhantomData<S>);
 impl<S: Scheme, M: Model> Step<M> for OnAnyModel<S> {
     const STATES: usize = S::STATES;
 
+    #[inline(always)]
     fn step(
         model: &M,
         t: f64,
@@ -135,6 +136,7 @@ struct InBodyAxes<S>(PhantomData<S>);
 impl<S: TurningScheme, M: Turning> Step<M> for InBodyAxes<S> {
     const STATES: usize = S::STATES;
 
+    #[inline(always)]
     fn step(
         model: &M,
         t: f64,
@@ -153,6 +155,7 @@ struct OnPoints<S>(PhantomData<S>);
 impl<S: PointScheme, M: Pointwise> Step<M> for OnPoints<S> {
     const STATES: usize = S::STATES;
 
+    #[inline(always)]
     fn step(
         model: &M,
         t: f64,
@@ -181,11 +184,13 @@ impl<M: Model> Model for Counted<'_, M> {
         self.model.start()
     }
 
+    #[inline(always)]
     fn rates(&self, t: f64, state: &M::State) -> Result<M::Rates, Broken> {
         self.evaluations.set(self.evaluations.get() + 1);
         self.model.rates(t, state)
     }
 
+    #[inline(always)]
     fn advance(&self, from: &M::State, s: f64, rates: &M::Rates, into: &mut M::State) {
         self.model.advance(from, s, rates, into);
     }
@@ -279,13 +284,23 @@ struct Stepper<'a, S, M: Model> {
 impl<'a, S: Step<Counted<'a, M>>, M: Model> Stepper<'a, S, M> {
     /// Steps from `from` to `to`, counted from the start of the run.
     fn advance(&mut self, from: u64, to: u64) -> Result<(), (u64, Broken)> {
+        // Places are exchanged, not states: those of a small model would be copied with every step.
+        let (mut now, mut next) = (&mut self.now, &mut self.next);
+        let mut result = Ok(());
+        let mut taken = 0;
         for n in from..to {
             let t = n as f64 * self.step;
-            S::step(&self.model, t, self.step, &self.now, &mut self.next, &mut self.work)
-                .map_err(|why| (n + 1, why))?;
+            if let Err(why) = S::step(&self.model, t, self.step, now, next, &mut self.work) {
+                result = Err((n + 1, why));
+                break;
+            }
+            std::mem::swap(&mut now, &mut next);
+            taken += 1;
+        }
+        if taken % 2 == 1 {
             std::mem::swap(&mut self.now, &mut self.next);
         }
-        Ok(())
+        result
     }
 
     /// Steps and checks the result. Where it is not finite, the steps are taken again one by one to find the
