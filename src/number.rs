@@ -177,6 +177,19 @@ impl Registers {
         all
     }
 
+    /// How many numbers one of them holds.
+    pub fn numbers(self) -> usize {
+        match self.0 {
+            #[cfg(target_arch = "x86_64")]
+            Width::Known(Arch::V4(_)) => 8,
+            #[cfg(target_arch = "x86_64")]
+            Width::Known(Arch::V3(_)) => 4,
+            #[cfg(target_arch = "x86_64")]
+            Width::Two(_) => 2,
+            Width::Known(_) => 1,
+        }
+    }
+
     /// Does work in them.
     #[inline(always)]
     pub fn dispatch<W: WithSimd>(self, work: W) -> W::Output {

@@ -61,11 +61,11 @@ impl Guest<'_> {
 /// user asked for the end.
 pub(super) fn run<T>(
     scheme: SideBySide,
+    registers: Registers,
     guests: &[Guest],
     begin: &impl Fn(usize) -> T,
     see: &impl Fn(&mut T, &Snapshot),
 ) -> Option<Vec<(T, Outcome)>> {
-    let registers = Registers::widest();
     let mut lanes: Vec<Lane> = guests.iter().map(Guest::lane).collect();
     let mut kept: Vec<T> = guests.iter().map(|guest| begin(guest.index)).collect();
     let mut nanoseconds = vec![0.0; guests.len()];

@@ -188,11 +188,15 @@ mod tests {
     #[test]
     fn a_turn_of_more_than_a_radian_is_told() {
         for width in Registers::all() {
-            for (step, within) in [(0.9, true), (1.1, false), (f64::INFINITY, false)] {
+            for (step, within) in [(0.9, true), (1.1, false), (30.0, false)] {
                 let mut bodies = vec![Lane { step: 0.1, ..bodies()[0] }; 20];
                 let slow = Lane { momentum: [1.0, 0.0, 0.0], attitude: [1.0, 0.0, 0.0, 0.0], ..bodies[0] };
                 bodies[17] = Lane { step, ..slow };
-                assert_eq!(advance(width, SideBySide::PeskinRk2, 3, &mut bodies), within, "{width:?}, {step}");
+                assert_eq!(
+                    advance(width, SideBySide::PeskinRk2, 3, &mut bodies),
+                    within,
+                    "{width:?}, {step}"
+                );
             }
         }
     }

@@ -11,6 +11,7 @@ use rayon::prelude::*;
 
 use crate::interrupt;
 use crate::model::{AnyModel, Broken, Snapshot, System};
+use crate::number::Registers;
 use crate::schemes::SideBySide;
 use crate::simulate::{Break, Contestant, Form, Outcome, Plan};
 use block::Guest;
@@ -31,12 +32,18 @@ pub struct Member {
 pub struct Ensemble<'a> {
     contestant: &'a Contestant,
     members: Vec<Member>,
+    registers: Registers,
 }
 
 impl<'a> Ensemble<'a> {
     /// Runs of `contestant`.
     pub fn new(contestant: &'a Contestant, members: Vec<Member>) -> Ensemble<'a> {
-        Ensemble { contestant, members }
+        Ensemble { contestant, members, registers: Registers::widest() }
+    }
+
+    /// The same in other registers than the widest: the same numbers, at another cost.
+    pub fn in_registers(self, registers: Registers) -> Ensemble<'a> {
+        Ensemble { registers, ..self }
     }
 
     /// Number of runs.
@@ -61,7 +68,7 @@ impl<'a> Ensemble<'a> {
         let (alone, blocks) = self.parties();
         let of_block = |(scheme, guests): &(SideBySide, Vec<Guest>)| {
             let indices = guests.iter().map(|guest| guest.index);
-            let rows = block::run(*scheme, guests, &begin, &see)
+            let rows = block::run(*scheme, self.registers, guests, &begin, &see)
                 .unwrap_or_else(|| indices.clone().map(|index| self.alone(index, &begin, &see)).collect());
             indices.zip(rows).collect::<Vec<_>>()
         };
@@ -96,7 +103,9 @@ impl<'a> Ensemble<'a> {
         let scheme = self.contestant.side_by_side();
         for (index, member) in self.members.iter().enumerate() {
             match (scheme, member.system.least()) {
-                (Some(scheme), AnyModel::Free(model)) => guests.push((scheme, Guest { index, member, model })),
+                (Some(scheme), AnyModel::Free(model)) => {
+                    guests.push((scheme, Guest { index, member, model }))
+                }
                 _ => alone.push(index),
             }
         }
@@ -136,7 +145,8 @@ mod tests {
 
     fn agree(contestant: &Contestant, members: Vec<Member>) -> Vec<(Vec<Snapshot>, Outcome)> {
         let ensemble = Ensemble::new(contestant, members.clone());
-        let rows = ensemble.fold(|_| Vec::new(), |states, snapshot| states.push(*snapshot));
+        let rows =
+            ensemble.fold(|_| Vec::new(), |states: &mut Vec<Snapshot>, snapshot| states.push(*snapshot));
         assert_eq!(rows.len(), members.len());
         for ((states, outcome), member) in rows.iter().zip(&members) {
             let alone = contestant.run(&member.system, Form::Least, &member.plan);

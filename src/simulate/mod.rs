@@ -9,7 +9,7 @@ use std::cell::Cell;
 use std::marker::PhantomData;
 use std::time::Instant;
 
-use nalgebra::Vector3;
+use nalgebra::{Quaternion, Vector3};
 
 use crate::interrupt;
 use crate::model::{Broken, Model, Pointwise, Rotational, Snapshot, Turning};
@@ -226,6 +226,18 @@ impl<M: Turning> Turning for Counted<'_, M> {
         self.model.place(state, attitude, momentum);
     }
 
+    #[inline(always)]
+    fn rates_at_stage(
+        &self,
+        t: f64,
+        held: (&M::State, f64, &M::Rates),
+        q: (&Quaternion<f64>, f64),
+        stage: &mut M::State,
+    ) -> Result<(M::Rates, Quaternion<f64>), Broken> {
+        self.evaluations.set(self.evaluations.get() + 1);
+        self.model.rates_at_stage(t, held, q, stage)
+    }
+
     fn spin_of(&self, rates: &M::Rates) -> Vector3<f64> {
         self.model.spin_of(rates)
     }
@@ -344,7 +356,7 @@ fn run<'a, S: Step<Counted<'a, M>>, M: Model>(
     let mut outcome = Outcome::none_yet();
     let every = plan.every.max(1);
     let broke = |step: u64, why| Some(Break { step, time: step as f64 * plan.step, why });
-    loop {
+    while outcome.broken.is_none() {
         if outcome.steps.is_multiple_of(every) || outcome.steps == plan.steps {
             match stepper.model.observe(outcome.steps as f64 * plan.step, &stepper.now) {
                 Ok(snapshot) => store(&snapshot),

@@ -313,7 +313,9 @@ impl Forces {
         for law in &self.laws {
             total += match law {
                 Law::Gravity(law) => law.potential(cloud),
-                Law::Spring(law) => law.potential(&(cloud.origin + cloud.arms.at(law.arm_index(&mut marker)))),
+                Law::Spring(law) => {
+                    law.potential(&(cloud.origin + cloud.arms.at(law.arm_index(&mut marker))))
+                }
                 Law::CentralGravity(law) => sum_points(cloud, |k, x| law.potential(cloud.masses[k], x)),
                 Law::Lorentz(law) if law.is_static() => sum_points(cloud, |k, x| law.potential(k, x)),
                 Law::Dipole(law) => law.potential(&cloud.axes),
