@@ -36,11 +36,11 @@ pub fn integral_of_the_first_kind(x: f64, y: f64, z: f64) -> f64 {
     let (dx, dy) = ((a - x) * inverse, (a - y) * inverse);
     let dz = -dx - dy;
     let (e2, e3) = (dx * dy - dz * dz, dx * dy * dz);
-    let series =
-        1.0 - e2 * (1.0 / 10.0) + e3 * (1.0 / 14.0) + e2 * e2 * (1.0 / 24.0) - e2 * e3 * (3.0 / 44.0)
-            - e2 * e2 * e2 * (5.0 / 208.0)
-            + e3 * e3 * (3.0 / 104.0)
-            + e2 * e2 * e3 * (1.0 / 16.0);
+    let series = 1.0 - e2 * (1.0 / 10.0) + e3 * (1.0 / 14.0) + e2 * e2 * (1.0 / 24.0)
+        - e2 * e3 * (3.0 / 44.0)
+        - e2 * e2 * e2 * (5.0 / 208.0)
+        + e3 * e3 * (3.0 / 104.0)
+        + e2 * e2 * e3 * (1.0 / 16.0);
     series / a.sqrt()
 }
 
@@ -70,16 +70,15 @@ pub fn integral_of_the_third_kind(x: f64, y: f64, z: f64, p: f64) -> f64 {
     let e3 = product + 2.0 * e2 * dp + 4.0 * dp * dp * dp;
     let e4 = (2.0 * product + e2 * dp + 3.0 * dp * dp * dp) * dp;
     let e5 = product * dp * dp;
-    let series =
-        1.0 - e2 * (3.0 / 14.0) + e3 * (1.0 / 6.0) + e2 * e2 * (9.0 / 88.0)
-            - e4 * (3.0 / 22.0)
-            - e2 * e3 * (9.0 / 52.0)
-            + e5 * (3.0 / 26.0)
-            - e2 * e2 * e2 * (1.0 / 16.0)
-            + e3 * e3 * (3.0 / 40.0)
-            + e2 * e4 * (3.0 / 20.0)
-            + e2 * e2 * e3 * (45.0 / 272.0)
-            - (e3 * e4 + e2 * e5) * (9.0 / 68.0);
+    let series = 1.0 - e2 * (3.0 / 14.0) + e3 * (1.0 / 6.0) + e2 * e2 * (9.0 / 88.0)
+        - e4 * (3.0 / 22.0)
+        - e2 * e3 * (9.0 / 52.0)
+        + e5 * (3.0 / 26.0)
+        - e2 * e2 * e2 * (1.0 / 16.0)
+        + e3 * e3 * (3.0 / 40.0)
+        + e2 * e4 * (3.0 / 20.0)
+        + e2 * e2 * e3 * (45.0 / 272.0)
+        - (e3 * e4 + e2 * e5) * (9.0 / 68.0);
     quarter * series / (a * a.sqrt()) + 6.0 * sum
 }
 
@@ -221,7 +220,9 @@ mod tests {
 
     #[test]
     fn whole_numbers_are_found_and_told_even_from_odd() {
-        for (x, whole) in [(0.49, 0.0), (-0.51, -1.0), (1.51, 2.0), (-7.2, -7.0), (1e17, 1e17), (123456.4, 123456.0)] {
+        for (x, whole) in
+            [(0.49, 0.0), (-0.51, -1.0), (1.51, 2.0), (-7.2, -7.0), (1e17, 1e17), (123456.4, 123456.0)]
+        {
             assert_eq!(nearest(x), whole);
         }
         for whole in [0.0, 2.0, -4.0, 1e6, 1e300] {
@@ -236,7 +237,10 @@ mod tests {
                 let complete = complete_integral_of_the_third_kind(complementary, p);
                 let carlson = integral_of_the_third_kind(0.0, complementary, 1.0, p) / 3.0;
                 // A dozen means and as many duplications, some roundings each.
-                assert!((complete - carlson).abs() < 64.0 * f64::EPSILON * carlson, "k'² {complementary}, p {p}");
+                assert!(
+                    (complete - carlson).abs() < 64.0 * f64::EPSILON * carlson,
+                    "k'² {complementary}, p {p}"
+                );
             }
         }
     }

@@ -19,7 +19,8 @@
 use nalgebra::{Quaternion, Vector3};
 
 use crate::elliptic::{
-    Amplitude, amplitude, argument_of, complete_integral_of_the_third_kind, integral_of_the_third_kind, is_even,
+    Amplitude, amplitude, argument_of, complete_integral_of_the_third_kind, integral_of_the_third_kind,
+    is_even,
 };
 use crate::rotation::{self, Rotation};
 
@@ -179,7 +180,8 @@ fn swept(end: &Amplitude, complementary: f64, ratio: f64) -> f64 {
     let sine = if is_even(end.half_turns) { sine } else { -sine };
     let second = square + complementary * sine * sine;
     let nu = (ratio - 1.0) * sine * sine;
-    let mut sum = sine * sine * sine * integral_of_the_third_kind(square, second, 1.0, 1.0 + nu) * (1.0 / 3.0);
+    let mut sum =
+        sine * sine * sine * integral_of_the_third_kind(square, second, 1.0, 1.0 + nu) * (1.0 / 3.0);
     if end.half_turns != 0.0 {
         sum += 2.0 * end.half_turns * complete_integral_of_the_third_kind(complementary, ratio);
     }

@@ -72,8 +72,10 @@ impl<'a> Ensemble<'a> {
                 .unwrap_or_else(|| indices.clone().map(|index| self.alone(index, &begin, &see)).collect());
             indices.zip(rows).collect::<Vec<_>>()
         };
-        let mut rows: Vec<(usize, (T, Outcome))> = blocks.par_iter().flat_map_iter(of_block).collect();
-        rows.par_extend(alone.into_par_iter().map(|index| (index, self.alone(index, &begin, &see))));
+        let mut rows: Vec<(usize, (T, Outcome))> =
+            blocks.par_iter().with_max_len(1).flat_map_iter(of_block).collect();
+        let alone = alone.into_par_iter().with_max_len(1);
+        rows.par_extend(alone.map(|index| (index, self.alone(index, &begin, &see))));
         rows.sort_by_key(|(index, _)| *index);
         rows.into_iter().map(|(_, row)| row).collect()
     }

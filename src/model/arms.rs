@@ -163,3 +163,47 @@ fn total<S: Simd, const R: usize>(sum: Lanes<S, R>) -> f64 {
     sum.store(&mut parts);
     together(parts)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::body::second_moment_inertia;
+    use crate::rotation;
+
+    #[test]
+    fn registers_of_every_width_turn_and_sum_points_as_plain_loops_do() {
+        let spin = Vector3::new(0.3, -0.9, 0.4);
+        let change = rotation::change_of_turn(&spin, 0.5);
+        let plain = rotation::turn(&(spin * 0.5)).to_rotation_matrix().into_inner();
+        for count in [1, 4, 7, 8, 9, 100] {
+            let point = |k: usize| {
+                let part = k as f64;
+                Vector3::new((0.7 * part).cos(), 0.5 * (0.3 * part).sin(), 0.02 * part - 1.0)
+            };
+            let arms: Vec<_> = (0..count).map(point).collect();
+            let masses: Vec<f64> = (0..count).map(|k| 1.0 + 0.1 * k as f64).collect();
+            let from = Columns::new(&arms);
+            let mut results = Registers::all().into_iter().map(|registers| {
+                let mut into = from.clone();
+                let sums = turn(registers, &change, &from, &filled(masses.clone()), &mut into);
+                (into, sums)
+            });
+            let first = results.next().expect("one number a register");
+            assert!(results.len() > 0 || !cfg!(target_arch = "x86_64"));
+            for other in results {
+                assert_eq!(first, other, "{count} points");
+            }
+            let (into, sums) = first;
+            assert_eq!(sums, Sums::of(&into, &masses), "{count} points");
+            let turned: Vec<_> = arms.iter().map(|arm| plain * arm).collect();
+            let inertia: Matrix3<f64> =
+                turned.iter().zip(&masses).map(|(x, m)| second_moment_inertia(x) * *m).sum();
+            // A point rounds a few times; a sum of n once for every term.
+            for (k, x) in turned.iter().enumerate() {
+                assert!((into.at(k) - x).amax() < 4.0 * f64::EPSILON * x.norm());
+            }
+            let bound = f64::EPSILON * (8.0 + count as f64) * inertia.trace();
+            assert!((sums.inertia() - inertia).amax() < bound, "{count} points");
+        }
+    }
+}

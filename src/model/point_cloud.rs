@@ -67,7 +67,7 @@ impl PointCloud {
     }
 
     /// I Ω = L solved for Ω. A rod turns with L/s, s = Σ M |X̃|²; a single point does not turn.
-    #[inline]
+    #[inline(always)]
     fn spin(&self, state: &PointState, inertia: &Matrix3<f64>) -> Result<Vector3<f64>, Broken> {
         match self.shape {
             Shape::Point => Ok(Vector3::zeros()),
@@ -164,12 +164,12 @@ impl Model for PointCloud {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn rates(&self, t: f64, state: &PointState) -> Result<Motion, Broken> {
         self.rates_on_levers(t, state, state)
     }
 
-    #[inline]
+    #[inline(always)]
     fn advance(&self, from: &PointState, s: f64, rates: &Motion, into: &mut PointState) {
         let change = rotation::change_of_turn(&rates.spin, s);
         into.sums = turn(self.registers, &change, &from.arms, &self.column_of_masses, &mut into.arms);
@@ -220,7 +220,7 @@ impl Pointwise for PointCloud {
         self.advance_sums(from, s, rates, into);
     }
 
-    #[inline]
+    #[inline(always)]
     fn rates_on_levers(&self, t: f64, state: &PointState, levers: &PointState) -> Result<Motion, Broken> {
         let inertia = state.sums.inertia();
         let spin = self.spin(state, &inertia)?;

@@ -15,14 +15,17 @@ impl Turning for Free {
         &self.rotational
     }
 
+    #[inline(always)]
     fn attitude(&self, state: &Rotation) -> Rotation {
         *state
     }
 
+    #[inline(always)]
     fn momentum(&self, _state: &Rotation) -> Vector3<f64> {
         self.start.angular_momentum
     }
 
+    #[inline(always)]
     fn place(&self, state: &mut Rotation, attitude: Rotation, _momentum: Vector3<f64>) {
         *state = attitude;
     }
