@@ -1,13 +1,14 @@
-//! Members of an ensemble run together: free bodies, each at its own step, side by side.
+//! Members of an ensemble run together: free bodies and tops, each at its own step, side by side.
 
 use std::time::Instant;
 
-use nalgebra::Quaternion;
+use nalgebra::{Quaternion, Vector3};
 
 use super::Member;
 use super::lanes::{self, Lane};
 use crate::interrupt;
-use crate::model::{Free, Model, Snapshot, Turning};
+use crate::model::forces::Law;
+use crate::model::{AnyModel, Free, Rotor, Snapshot, System, Turning};
 use crate::number::Registers;
 use crate::rotation::Rotation;
 use crate::schemes::SideBySide;
@@ -16,21 +17,42 @@ use crate::simulate::Outcome;
 /// Steps between two checks that the attitudes are finite.
 const CHECKED_EVERY: u64 = 1024;
 
-/// A member with its model.
+/// What runs side by side: bodies that only turn, free or with a pivot under their weight.
+pub(super) enum Body {
+    Free(Free),
+    /// A top and its weight M g [N], world, and its centre of mass from the pivot [m], principal axes.
+    Top(Rotor, Vector3<f64>, Vector3<f64>),
+}
+
+impl Body {
+    /// The body of a system, if it is one of these.
+    pub(super) fn of(system: &System) -> Option<Body> {
+        match (system.least(), system.forces.laws()) {
+            (AnyModel::Free(model), _) => Some(Body::Free(model)),
+            (AnyModel::Pivot(model), [Law::Gravity(gravity)]) => {
+                let center = system.body.principal.inverse() * system.body.center;
+                Some(Body::Top(model, gravity.acceleration * system.body.mass, center))
+            }
+            _ => None,
+        }
+    }
+}
+
+/// A member with its body.
 pub(super) struct Guest<'a> {
     pub(super) index: usize,
     pub(super) member: &'a Member,
-    pub(super) model: Free,
+    pub(super) body: Body,
 }
 
 impl Guest<'_> {
     fn lane(&self) -> Lane {
-        let q = self.model.start();
-        Lane {
-            attitude: [q.w, q.i, q.j, q.k],
-            momentum: self.model.momentum(&q).into(),
-            inverse_moments: self.model.rotational().inverse_moments.into(),
-            step: self.member.plan.step,
+        let step = self.member.plan.step;
+        match &self.body {
+            Body::Free(model) => Lane { step, ..turning(model) },
+            Body::Top(model, weight, center) => {
+                Lane { step, weight: (*weight).into(), center: (*center).into(), ..turning(model) }
+            }
         }
     }
 
@@ -51,10 +73,31 @@ impl Guest<'_> {
     }
 
     fn observe(&self, step: u64, lane: &Lane) -> Option<Snapshot> {
-        let [w, x, y, z] = lane.attitude;
-        let attitude = Rotation::new_unchecked(Quaternion::new(w, x, y, z));
-        self.model.observe(step as f64 * self.member.plan.step, &attitude).ok()
+        let t = step as f64 * self.member.plan.step;
+        match &self.body {
+            Body::Free(model) => observe(model, t, lane),
+            Body::Top(model, ..) => observe(model, t, lane),
+        }
     }
+}
+
+/// What a lane needs of a body that turns.
+fn turning<M: Turning>(model: &M) -> Lane {
+    let start = model.start();
+    let q = model.attitude(&start);
+    Lane {
+        attitude: [q.w, q.i, q.j, q.k],
+        momentum: model.momentum(&start).into(),
+        inverse_moments: model.rotational().inverse_moments.into(),
+        ..Lane::default()
+    }
+}
+
+fn observe<M: Turning>(model: &M, t: f64, lane: &Lane) -> Option<Snapshot> {
+    let [w, x, y, z] = lane.attitude;
+    let mut state = model.start();
+    model.place(&mut state, Rotation::new_unchecked(Quaternion::new(w, x, y, z)), lane.momentum.into());
+    model.observe(t, &state).ok()
 }
 
 /// Runs all of them; `None` where one needs a run of its own: it turned by more than a radian in a step, or broke, or the
@@ -85,7 +128,8 @@ pub(super) fn run<T>(
         for (guest, nanoseconds) in guests.iter().zip(&mut nanoseconds) {
             *nanoseconds += if guest.member.plan.steps > now { share } else { 0.0 };
         }
-        let finite = lanes.iter().all(|lane| lane.attitude.iter().all(|part| part.is_finite()));
+        let finite =
+            lanes.iter().all(|lane| lane.attitude.iter().chain(&lane.momentum).all(|part| part.is_finite()));
         if !within || !finite || interrupt::requested() {
             return None;
         }

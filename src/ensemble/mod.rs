@@ -1,8 +1,8 @@
 //! Many bodies under one scheme: the same run at many steps, starts or parameters, for maps and sweeps.
 //!
 //! Members are independent; they are run in parallel and their results stand in their order, so that one thread or many give
-//! the same numbers to the last bit. Free bodies under the note's schemes are stepped side by side, several in each
-//! register of the machine; they too give the numbers that each gives alone, to the last bit.
+//! the same numbers to the last bit. Free bodies, and tops under their weight, are stepped side by side under the
+//! note's schemes, several in each register of the machine; they too give the numbers that each gives alone, to the last bit.
 
 mod block;
 mod lanes;
@@ -10,13 +10,13 @@ mod lanes;
 use rayon::prelude::*;
 
 use crate::interrupt;
-use crate::model::{AnyModel, Broken, Snapshot, System};
+use crate::model::{Broken, Snapshot, System};
 use crate::number::Registers;
 use crate::schemes::SideBySide;
 use crate::simulate::{Break, Contestant, Form, Outcome, Plan};
-use block::Guest;
+use block::{Body, Guest};
 
-/// Free bodies that are run together: as many as fit the widest registers twice.
+/// Bodies that are run together: as many as fit the widest registers twice.
 const TOGETHER: usize = 16;
 
 /// One of many runs.
@@ -104,11 +104,9 @@ impl<'a> Ensemble<'a> {
         let (mut alone, mut guests) = (Vec::new(), Vec::new());
         let scheme = self.contestant.side_by_side();
         for (index, member) in self.members.iter().enumerate() {
-            match (scheme, member.system.least()) {
-                (Some(scheme), AnyModel::Free(model)) => {
-                    guests.push((scheme, Guest { index, member, model }))
-                }
-                _ => alone.push(index),
+            match scheme.zip(Body::of(&member.system)) {
+                Some((scheme, body)) => guests.push((scheme, Guest { index, member, body })),
+                None => alone.push(index),
             }
         }
         guests.sort_by_key(|(_, guest)| (guest.member.plan.steps, guest.member.plan.every));
@@ -165,11 +163,20 @@ mod tests {
             assert!(contestant.side_by_side().is_some());
             agree(&contestant, members());
         }
+        // Tops, among free bodies and at steps of their own.
+        let top = Scene::find("kovalevskaya").expect("built in").system;
+        let mut tops = members();
+        for k in 0..21 {
+            let steps = [64, 256, 1000][k % 3];
+            tops.push(Member { system: top.clone(), plan: Plan::over(1.0 + 0.1 * k as f64, steps, 5) });
+        }
+        agree(&Contestant::new::<PeskinRk2>(), tops.clone());
+        agree(&Contestant::new::<Euler>(), tops);
         // A scheme and a scene that have no lanes.
         let heun = Contestant::new::<PeskinHeun>();
         assert!(heun.side_by_side().is_none());
         agree(&heun, members());
-        let system = Scene::find("kovalevskaya").expect("built in").system;
+        let system = Scene::find("gravity-drag").expect("built in").system;
         let mut mixed = members();
         mixed.insert(3, Member { system, plan: Plan::over(1.0, 100, 4) });
         agree(&Contestant::new::<PeskinRk2>(), mixed);
