@@ -140,14 +140,6 @@ const KNOWN: &[Deviation] = &[
         reason: NEVER_STEADY,
     },
     Deviation {
-        scene: "dzhanibekov",
-        schemes: &["exact-rotor"],
-        claim: "exact",
-        quantities: &["orientation-end", "angular-velocity-end"],
-        reason: "each step multiplies five rotations of many radians, and passing near the separatrix amplifies their \
-                 rounding to 1.2 times the bound",
-    },
-    Deviation {
         scene: "mujoco-fast-spin",
         schemes: &["semi-implicit-euler-implicit-gyro"],
         claim: "order",
