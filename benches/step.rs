@@ -1,4 +1,4 @@
-//! Wall-clock cost of a step: every scheme on every model, and Peskin's scheme on 4 to 16384 mass points.
+//! Wall-clock cost of a step: every scheme on every model, and Peskin's scheme on 4 to 16,384 mass points.
 //!
 //! A bench is not a test: nothing depends on these numbers.
 
@@ -66,7 +66,7 @@ fn points(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("points");
     let contestants = Contestant::all();
     let peskin = contestants.iter().find(|c| c.card.name == "peskin-rk2").expect("a scheme of the list");
-    for count in [4, 64, 1024, 16384] {
+    for count in [4, 64, 1024, 16_384] {
         let system = cloud(count);
         group.throughput(Throughput::Elements(STEPS * count as u64));
         group.bench_function(BenchmarkId::new("peskin-rk2", count), |b| {

@@ -16,10 +16,16 @@
 //!
 //! Source: vanzon2007 and celledoni2008 for the reduction to Jacobi's functions; the forms above are derived here.
 
-use nalgebra::Vector3;
+use nalgebra::{Quaternion, Vector3};
 
-use crate::elliptic::{Amplitude, amplitude, argument_of, integral_of_the_third_kind};
+use crate::elliptic::{
+    Amplitude, amplitude, argument_of, complete_integral_of_the_third_kind, integral_of_the_third_kind,
+    is_even,
+};
 use crate::rotation::{self, Rotation};
+
+/// k′² below which sn, near 1, no longer tells u: S = u − (something bounded) is then put right by what u itself says.
+const NEAR_SEPARATRIX: f64 = 0.01;
 
 /// The turn Q, in principal axes, that a free body makes in the time `t` [s]: attitude R → R Q.
 ///
@@ -80,7 +86,7 @@ impl Axes {
         let mut imaginary = Vector3::zeros();
         let [i, j, k] = self.index;
         (imaginary[i], imaginary[j], imaginary[k]) = (self.first * turn.i, turn.j, turn.k);
-        Rotation::new_unchecked(nalgebra::Quaternion::from_parts(turn.w, imaginary))
+        Rotation::new_unchecked(Quaternion::from_parts(turn.w, imaginary))
     }
 }
 
@@ -104,8 +110,10 @@ impl Polhode {
         let complementary =
             if self.w21 == 0.0 { 1.0 } else { ((self.w13 / self.w23) * (m / g)).clamp(0.0, 1.0) }; // (1)
         let ratio = self.w13 / self.w23; // (1)
-        let a = (l.y / ratio.sqrt()).hypot(l.x); // (2): a² = l₁² + l₂²/r
-        let before = Amplitude { half_turns: 0.0, sine: l.y / ratio.sqrt() / a, cosine: l.x / a };
+        let root = ratio.sqrt();
+        let a = plane_length(l.y / root, l.x); // (2): a² = l₁² + l₂²/r
+        let before =
+            Amplitude { half_turns: 0.0, sine: l.y / root / a, cosine: l.x / a, quarter_period: f64::NAN };
         let sense = if l.z * self.w13 < 0.0 { -1.0 } else { 1.0 };
         // The amplitude of an opposite start lies half a turn on: (2) and (4) see squares only, so it is left out.
         let flip = if before.cosine < 0.0 { -1.0 } else { 1.0 };
@@ -119,39 +127,63 @@ impl Polhode {
         let u = first + sense * lambda * t;
         let found = amplitude(u, complementary); // (2)
         let after = Amplitude { sine: flip * found.sine, cosine: flip * found.cosine, ..found };
-        let (x, y) = (a * after.cosine, a * ratio.sqrt() * after.sine); // (2)
-        let delta = after.cosine.hypot(complementary.sqrt() * after.sine);
+        let (x, y) = (a * after.cosine, a * root * after.sine); // (2)
+        let delta = plane_length(after.cosine, complementary.sqrt() * after.sine);
         let z = ((g / self.w31).sqrt() * delta).copysign(l.z); // (3)
         let mut phi = self.rate * t; // (4)
         if self.w21 != 0.0 {
-            let start = Amplitude { sine: flip * before.sine, cosine: flip * before.cosine, half_turns: 0.0 };
-            let swept = swept(&found, complementary, ratio) - swept(&start, complementary, ratio);
-            // Near the separatrix S = u − (something bounded), while sn, near 1, no longer tells u.
-            phi += sense * (self.w21 / lambda) * (swept + (u - found.argument(complementary)));
+            let start = Amplitude { sine: flip * before.sine, cosine: flip * before.cosine, ..before };
+            let mut swept = swept(&found, complementary, ratio) - swept(&start, complementary, ratio);
+            if complementary < NEAR_SEPARATRIX {
+                swept += u - found.argument(complementary);
+            }
+            phi += sense * (self.w21 / lambda) * swept;
         }
-        let turned = |axis: Vector3<f64>, angle: f64| rotation::turn(&(axis * angle));
-        let (alpha, theta) = (l.y.atan2(l.x), l.x.hypot(l.y).atan2(l.z));
-        let (alpha_after, theta_after) = (y.atan2(x), x.hypot(y).atan2(z));
-        rotation::renormalized(
-            turned(Vector3::z(), alpha)
-                * turned(Vector3::y(), theta)
-                * turned(Vector3::z(), phi)
-                * turned(Vector3::y(), -theta_after)
-                * turned(Vector3::z(), -alpha_after),
-        ) // (5)
+        let about = toward(l.x, l.y, l.z);
+        let about_after = toward(x, y, z).inverse();
+        let (sine, cosine) = (0.5 * phi).sin_cos();
+        let phi = Rotation::new_unchecked(Quaternion::new(cosine, 0.0, 0.0, sine));
+        rotation::renormalized(about * phi * about_after) // (5)
     }
+}
+
+/// Z(α) Y(θ) of (5): takes the third axis to the direction of (x, y, z), without an angle or its sine.
+fn toward(x: f64, y: f64, z: f64) -> Rotation {
+    let across = plane_length(x, y);
+    let length = plane_length(across, z);
+    let (theta, theta_sine) = half(z / length, across / length);
+    let (alpha, alpha_sine) = if across == 0.0 { (1.0, 0.0) } else { half(x / across, y / across) };
+    Rotation::new_unchecked(Quaternion::new(
+        alpha * theta,
+        -alpha_sine * theta_sine,
+        alpha * theta_sine,
+        alpha_sine * theta,
+    ))
+}
+
+/// Cosine and sine of half an angle from those of the angle, in (−π, π].
+fn half(cosine: f64, sine: f64) -> (f64, f64) {
+    let larger = (0.5 * (1.0 + cosine.abs())).sqrt();
+    let smaller = 0.5 * sine / larger;
+    if cosine >= 0.0 { (larger, smaller) } else { (smaller.abs(), larger.copysign(sine)) }
+}
+
+/// √(x² + y²) of parts of unit vectors: what underflows in a square is below what rounding leaves of the other.
+fn plane_length(x: f64, y: f64) -> f64 {
+    (x * x + y * y).sqrt()
 }
 
 /// S of (4), by the third-kind integral over the amplitude: 2 m times that of a quarter turn, and the rest.
 fn swept(end: &Amplitude, complementary: f64, ratio: f64) -> f64 {
     let (sine, square) = (end.sine, end.cosine * end.cosine);
     // sn and cn change sign together with every half turn of the amplitude.
-    let sine = if end.half_turns % 2.0 == 0.0 { sine } else { -sine };
+    let sine = if is_even(end.half_turns) { sine } else { -sine };
     let second = square + complementary * sine * sine;
     let nu = (ratio - 1.0) * sine * sine;
-    let mut sum = sine * sine * sine * integral_of_the_third_kind(square, second, 1.0, 1.0 + nu);
+    let mut sum =
+        sine * sine * sine * integral_of_the_third_kind(square, second, 1.0, 1.0 + nu) * (1.0 / 3.0);
     if end.half_turns != 0.0 {
-        sum += 2.0 * end.half_turns * integral_of_the_third_kind(0.0, complementary, 1.0, ratio);
+        sum += 2.0 * end.half_turns * complete_integral_of_the_third_kind(complementary, ratio);
     }
-    ratio / 3.0 * sum
+    ratio * sum
 }

@@ -13,6 +13,7 @@
 //! other way.
 
 pub mod interrupt;
+pub mod number;
 pub mod rotation;
 pub mod elliptic;
 pub mod free_rotor;

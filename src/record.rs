@@ -6,14 +6,15 @@
 
 pub mod stability;
 mod engines;
+mod whole;
 
 use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
 pub use engines::{EngineRow, PeerRow, Twin};
+pub use whole::{WholeFile, write_whole};
 
 /// The schema that [`Records`] follows.
 pub const SCHEMA: &str = "polhode/records/1";
@@ -466,34 +467,4 @@ fn row_a_line(records: &impl Serialize) -> String {
     };
     let members: Vec<String> = members.into_iter().map(member).collect();
     format!("{{\n{}\n}}\n", members.join(",\n"))
-}
-
-/// Writes a file so that its final name never stands for half of it: a temporary neighbour, then a rename.
-///
-/// # Errors
-/// The folder cannot be made, the disk is full, or the name cannot be taken. The temporary file is removed.
-pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), RecordError> {
-    let fail = |source| RecordError::File { path: path.into(), source };
-    let folder = match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    };
-    fs::create_dir_all(folder).map_err(fail)?;
-    let mut file = tempfile::Builder::new().prefix(".polhode-").tempfile_in(folder).map_err(fail)?;
-    file.write_all(bytes).and_then(|()| file.as_file().sync_all()).map_err(fail)?;
-    open_to_readers(&file).map_err(fail)?;
-    file.persist(path).map_err(|error| fail(error.error))?;
-    Ok(())
-}
-
-/// Temporary files are private to their owner; a report is for everybody that the user's umask allows.
-#[cfg(unix)]
-fn open_to_readers(file: &tempfile::NamedTempFile) -> std::io::Result<()> {
-    use std::os::unix::fs::PermissionsExt;
-    file.as_file().set_permissions(fs::Permissions::from_mode(0o644))
-}
-
-#[cfg(not(unix))]
-fn open_to_readers(_file: &tempfile::NamedTempFile) -> std::io::Result<()> {
-    Ok(())
 }

@@ -7,18 +7,19 @@ use std::path::Path;
 /// A module and those it may use.
 const EDGES: &[(&str, &[&str])] = &[
     ("interrupt", &[]),
-    ("rotation", &[]),
+    ("number", &[]),
+    ("rotation", &["number"]),
     ("regression", &[]),
     ("record", &[]),
     ("elliptic", &[]),
     ("free_rotor", &["elliptic", "rotation"]),
-    ("model", &["rotation"]),
+    ("model", &["number", "rotation"]),
     ("claim", &["model"]),
     ("schemes", &["claim", "free_rotor", "model", "rotation"]),
     ("reference", &["elliptic", "free_rotor", "interrupt", "model", "rotation"]),
     ("scenes", &["model", "rotation", "reference"]),
     ("simulate", &["interrupt", "model", "rotation", "schemes"]),
-    ("ensemble", &["interrupt", "model", "scenes", "schemes", "simulate"]),
+    ("ensemble", &["interrupt", "model", "number", "rotation", "scenes", "schemes", "simulate"]),
     ("sweep", &["ensemble", "interrupt", "model", "reference", "scenes", "simulate"]),
     ("adaptive", &["claim", "interrupt", "model", "reference", "schemes", "simulate"]),
     ("cost", &["interrupt", "model", "scenes", "schemes", "simulate"]),
@@ -139,8 +140,11 @@ fn sources(path: &Path, found: &mut Vec<String>) {
 fn used_modules(name: &str) -> BTreeSet<String> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let mut texts = Vec::new();
-    let file = root.join(format!("{name}.rs"));
-    sources(if file.exists() { &file } else { Box::leak(root.join(name).into_boxed_path()) }, &mut texts);
+    for place in [root.join(format!("{name}.rs")), root.join(name)] {
+        if place.exists() {
+            sources(&place, &mut texts);
+        }
+    }
     assert!(!texts.is_empty(), "module {name} has no source");
     let is_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
     texts

@@ -52,28 +52,22 @@ impl Campaign<'_> {
         let all = self.scenes.len() * (self.contestants.len() + 1);
         let done = AtomicUsize::new(0);
         let tick = || (self.progress)(done.fetch_add(1, Ordering::Relaxed) + 1, all);
-        let prepared: Vec<Option<Prepared>> = self
-            .scenes
-            .par_iter()
-            .map(|scene| {
-                let prepared = (!interrupt::requested()).then(|| prepare(scene));
-                tick();
-                prepared
-            })
-            .collect();
-        let prepared: Vec<Prepared> = prepared.into_iter().flatten().collect();
-        let cells: Vec<(&Prepared, &Contestant)> =
-            prepared.iter().flat_map(|scene| self.contestants.iter().map(move |c| (scene, c))).collect();
-        let measured: Vec<Option<cell::Cell>> = cells
-            .par_iter()
-            .map(|(prepared, contestant)| {
-                let cell = if interrupt::requested() { None } else { self.cell(prepared, contestant) };
+        // One scene or cell at a time to whoever is free: a thread that took many at once could be left alone with them.
+        let gone_through = self.scenes.par_iter().with_max_len(1).map(|scene| {
+            let prepared = (!interrupt::requested()).then(|| prepare(scene));
+            tick();
+            let prepared = prepared?;
+            let cells = self.contestants.par_iter().with_max_len(1).map(|contestant| {
+                let cell = if interrupt::requested() { None } else { self.cell(&prepared, contestant) };
                 tick();
                 // What was running when the user asked for the end is not a whole cell.
                 cell.filter(|_| !interrupt::requested())
-            })
-            .collect();
-        self.records(&prepared, measured)
+            });
+            let cells: Vec<Option<cell::Cell>> = cells.collect();
+            Some((prepared, cells))
+        });
+        let gone_through: Vec<Option<(Prepared, Vec<Option<cell::Cell>>)>> = gone_through.collect();
+        self.records(gone_through.into_iter().flatten().collect())
     }
 
     fn cell(&self, prepared: &Prepared, contestant: &Contestant) -> Option<cell::Cell> {
@@ -84,7 +78,7 @@ impl Campaign<'_> {
         Some(cell::measure(prepared.scene, reference, contestant, &self.baseline, self.series))
     }
 
-    fn records(&self, prepared: &[Prepared], measured: Vec<Option<cell::Cell>>) -> Records {
+    fn records(&self, scenes: Vec<(Prepared, Vec<Option<cell::Cell>>)>) -> Records {
         let mut records = Records {
             schema: SCHEMA.to_owned(),
             polhode: env!("CARGO_PKG_VERSION").to_owned(),
@@ -95,16 +89,14 @@ impl Campaign<'_> {
             engines: self.contestants.iter().filter_map(rows::engine).collect(),
             ..Records::default()
         };
-        let mut cells = measured.into_iter();
-        for prepared in prepared {
-            let own: Vec<_> = cells.by_ref().take(self.contestants.len()).collect();
+        for (prepared, own) in scenes {
             let points = own.iter().flatten().next().and_then(|cell| cell.reduction);
             records.scenes.push(rows::scene(
                 prepared.scene,
                 prepared.reference.as_ref().and_then(|one| one.as_ref().ok()),
                 points,
             ));
-            records.verdicts.extend(judge_reference(prepared));
+            records.verdicts.extend(judge_reference(&prepared));
             for cell in own.into_iter().flatten() {
                 records.measurements.extend(cell.measurements);
                 records.orders.extend(cell.orders);

@@ -1,7 +1,7 @@
 //! `polhode run`: one scheme, one scene, its states.
 
 use std::io::{self, BufWriter, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use serde_json::json;
@@ -9,7 +9,7 @@ use serde_json::json;
 use super::Failure;
 use super::select;
 use crate::model::{Snapshot, System};
-use crate::record;
+use crate::record::WholeFile;
 use crate::scenes::Scene;
 use crate::simulate::{Form, Outcome, Plan};
 
@@ -89,14 +89,16 @@ pub(super) fn run(options: &Options) -> Result<u8, Failure> {
     let given =
         form.model(&scene.system).map_err(|error| Failure::Model(format!("{}: {error}", scene.name)))?;
     let model = if form == Form::Least { contestant.model(&scene.system) } else { given.name() };
-    let mut written = Vec::new();
-    let mut sink: Box<dyn Write> = match options.out {
-        Some(_) => Box::new(&mut written),
-        None => Box::new(BufWriter::new(io::stdout().lock())),
+    let mut file = options.out.as_deref().map(WholeFile::begin).transpose()?;
+    let mut stdout = BufWriter::new(io::stdout().lock());
+    let sink: &mut dyn Write = match &mut file {
+        Some(file) => file,
+        None => &mut stdout,
     };
-    let fail = |source| Failure::Write { name: "stdout".to_owned(), source };
+    let name = options.out.as_ref().map_or("stdout".to_owned(), |path| path.display().to_string());
+    let fail = |source| Failure::Write { name, source };
     let mut writer = StateWriter {
-        sink: &mut sink,
+        sink,
         system: &scene.system,
         plan,
         count: 0,
@@ -109,9 +111,8 @@ pub(super) fn run(options: &Options) -> Result<u8, Failure> {
         return Err(Failure::Model(format!("{} cannot take {}: {reason}", contestant.card.name, scene.name)));
     }
     writer.close(&outcome).map_err(fail)?;
-    drop(sink);
-    if let Some(path) = &options.out {
-        record::write_whole(Path::new(path), &written)?;
+    if let Some(file) = file {
+        file.finish()?;
     }
     if let Some(broken) = &outcome.broken {
         eprintln!("polhode: {} in {}: {broken}", contestant.card.name, scene.name);

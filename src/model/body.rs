@@ -198,6 +198,7 @@ impl Body {
             }
             Shape::Extended => {}
         }
+        let (moments, principal) = thin_axis_outside(moments, principal);
         Ok(Body { mass, points, center, inertia, moments, principal, shape, pivoted })
     }
 
@@ -301,6 +302,18 @@ fn principal_axes(inertia: &Matrix3<f64>) -> (Vector3<f64>, Rotation) {
     (eigen.eigenvalues * scale, rotation::from_matrix(&axes))
 }
 
+/// Names the axes anew, in their cyclic order, where the second has by far the smallest moment: `rotation::formulas` computes
+/// Ω as L over the second moment and what the other two axes take from that, which is lost in its rounding if L over the
+/// second moment is the largest number by far.
+fn thin_axis_outside(moments: Vector3<f64>, principal: Rotation) -> (Vector3<f64>, Rotation) {
+    if moments.y == 0.0 || 4.0 * moments.y > moments.x.min(moments.z) {
+        return (moments, principal);
+    }
+    // A third of a turn about the diagonal, x to y to z to x: exact.
+    let third = Rotation::new_unchecked(nalgebra::Quaternion::new(0.5, 0.5, 0.5, 0.5));
+    (Vector3::new(moments.y, moments.z, moments.x), principal * third)
+}
+
 fn check_moments(moments: &Vector3<f64>, unphysical: bool) -> Result<(), BodyError> {
     let mut sorted = [moments[0], moments[1], moments[2]];
     sorted.sort_by(f64::total_cmp);
@@ -388,6 +401,17 @@ mod tests {
         let moved = free.inertia + second_moment_inertia(&(center - pivot)) * free.mass;
         assert!((body.inertia - moved).amax() < 1e-14);
         assert!((body.center - (center - pivot)).amax() < 1e-15);
+    }
+
+    #[test]
+    fn a_thin_body_has_its_thin_axis_first_or_last_and_the_same_inertia() {
+        for moments in [[26.0, 1.0, 26.5], [1.0, 26.0, 26.5], [26.0, 26.5, 1.0], [2.0, 1.0, 2.5]] {
+            let inertia = Matrix3::from_diagonal(&Vector3::from(moments));
+            let body = Body::from_inertia(1.0, inertia, None, false).expect("a body");
+            assert!(4.0 * body.moments.y > body.moments.x.min(body.moments.z), "{moments:?}");
+            let axes = body.principal.to_rotation_matrix().into_inner();
+            assert_eq!(axes * Matrix3::from_diagonal(&body.moments) * axes.transpose(), inertia);
+        }
     }
 
     #[test]

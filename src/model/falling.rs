@@ -99,13 +99,15 @@ impl Model for Falling {
         }
     }
 
+    #[inline(always)]
     fn rates(&self, _t: f64, state: &FallingState) -> Result<FallingRates, Broken> {
         let spin = self.rotational.spin(&state.attitude, &self.start.angular_momentum);
         Ok(FallingRates { spin, velocity: state.velocity, acceleration: self.acceleration })
     }
 
+    #[inline(always)]
     fn advance(&self, from: &FallingState, s: f64, rates: &FallingRates, into: &mut FallingState) {
-        into.attitude = rotation::renormalized(rotation::turn(&(rates.spin * s)) * from.attitude);
+        into.attitude = rotation::turned(&from.attitude, &rates.spin, s);
         into.position = from.position + rates.velocity * s;
         into.velocity = from.velocity + rates.acceleration * s;
     }

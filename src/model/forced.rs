@@ -79,9 +79,9 @@ impl Rates for Motion {
 
 impl Forced {
     /// Ω and the matrix that takes principal axes to world axes.
+    #[inline(always)]
     fn spin(&self, state: &ForcedState) -> (Vector3<f64>, Matrix3<f64>) {
-        let axes = state.attitude.to_rotation_matrix().into_inner();
-        (axes * axes.tr_mul(&state.momentum).component_mul(&self.rotational.inverse_moments), axes)
+        (self.rotational.spin(&state.attitude, &state.momentum), rotation::axes(&state.attitude))
     }
 }
 
@@ -98,6 +98,7 @@ impl Model for Forced {
         }
     }
 
+    #[inline(always)]
     fn rates(&self, t: f64, state: &ForcedState) -> Result<Motion, Broken> {
         let (spin, axes) = self.spin(state);
         let pose = Pose { axes, origin: state.position, velocity: state.velocity, spin };
@@ -110,8 +111,9 @@ impl Model for Forced {
         })
     }
 
+    #[inline(always)]
     fn advance(&self, from: &ForcedState, s: f64, rates: &Motion, into: &mut ForcedState) {
-        into.attitude = rotation::renormalized(rotation::turn(&(rates.spin * s)) * from.attitude);
+        into.attitude = rotation::turned(&from.attitude, &rates.spin, s);
         into.position = from.position + rates.velocity * s;
         into.velocity = from.velocity + rates.acceleration * s;
         into.momentum = from.momentum + rates.torque * s;

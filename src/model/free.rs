@@ -49,12 +49,14 @@ impl Model for Free {
         self.rotational.attitude
     }
 
+    #[inline(always)]
     fn rates(&self, _t: f64, attitude: &Rotation) -> Result<Vector3<f64>, Broken> {
         Ok(self.rotational.spin(attitude, &self.start.angular_momentum))
     }
 
+    #[inline(always)]
     fn advance(&self, from: &Rotation, s: f64, spin: &Vector3<f64>, into: &mut Rotation) {
-        *into = rotation::renormalized(rotation::turn(&(spin * s)) * from);
+        *into = rotation::turned(from, spin, s);
     }
 
     fn is_finite(&self, attitude: &Rotation) -> bool {

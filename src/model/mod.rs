@@ -11,6 +11,7 @@
 //! | [`Forced`] | forces on points | everything | all |
 //! | [`PointCloud`] | `--model points` | every mass point | all, O(K) |
 
+mod arms;
 pub mod body;
 mod change;
 mod falling;
@@ -27,9 +28,9 @@ mod turning;
 
 use std::ops::{Add, Mul};
 
-use nalgebra::Vector3;
+use nalgebra::{Quaternion, Vector3};
 
-use crate::rotation::Rotation;
+use crate::rotation::{self, Rotation};
 
 pub use change::Change;
 pub use falling::Falling;
@@ -138,6 +139,27 @@ pub trait Turning: Model {
 
     /// Puts attitude and L into a state; a model whose L is constant keeps its own.
     fn place(&self, state: &mut Self::State, attitude: Rotation, momentum: Vector3<f64>);
+
+    /// Rates at a stage of a scheme that keeps the attitude as plain numbers, and how far they take these in a time: `rates`
+    /// held for a time `s` [s] from `from`, but for the attitude, which is q/|q|; `(q, time)` gives time · q̇ = time/2 Ω q.
+    /// `stage` is a buffer.
+    ///
+    /// # Errors
+    /// Ω does not exist.
+    #[inline(always)]
+    fn rates_at_stage(
+        &self,
+        t: f64,
+        (from, s, rates): (&Self::State, f64, &Self::Rates),
+        (q, time): (&Quaternion<f64>, f64),
+        stage: &mut Self::State,
+    ) -> Result<(Self::Rates, Quaternion<f64>), Broken> {
+        self.advance(from, s, rates, stage);
+        let momentum = self.momentum(stage);
+        self.place(stage, rotation::unit(q), momentum);
+        let rates = self.rates(t, stage)?;
+        Ok((rates, rotation::rate_of(&self.spin_of(&rates), q) * time))
+    }
 
     /// Ω of rates [rad/s], world.
     fn spin_of(&self, rates: &Self::Rates) -> Vector3<f64>;

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::forces::Cloud;
+use super::forces::{Arms, Cloud};
 use super::system::System;
 use crate::rotation::Rotation;
 
@@ -51,8 +51,8 @@ impl Placed {
     /// The points in motion: origin [m], its velocity [m/s] and Ω [rad/s], world.
     pub fn cloud(&self, origin: Vector3<f64>, velocity: Vector3<f64>, spin: Vector3<f64>) -> Cloud<'_> {
         Cloud {
-            arms: &self.arms,
-            levers: &self.arms,
+            arms: Arms::Listed(&self.arms),
+            levers: Arms::Listed(&self.arms),
             masses: &self.masses,
             origin,
             velocity,

@@ -5,76 +5,78 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::arms::{Columns, Sums, filled, turn};
 use super::body::Shape;
 use super::forced::Motion;
 use super::forces::{Cloud, Forces, Load};
-use super::system::Start;
+use super::system::{Start, System};
 use super::{Broken, Model, Pointwise, Snapshot, finite};
+use crate::number::Registers;
 use crate::rotation;
 
 /// Every mass point.
 #[derive(Clone, Debug)]
 pub struct PointCloud {
-    pub(super) start: Start,
-    pub(super) forces: Forces,
-    pub(super) masses: Vec<f64>,
+    start: Start,
+    forces: Forces,
+    masses: Vec<f64>,
+    /// The masses, and zeros to the end of the columns.
+    column_of_masses: Vec<f64>,
     /// X̃ of mass points, then of markers, then of the tips of the body axes where needed [m], body axes.
-    pub(super) arms: Vec<Vector3<f64>>,
-    pub(super) mass: f64,
+    arms: Vec<Vector3<f64>>,
+    mass: f64,
+    inverse_mass: f64,
     /// Whether the last three arms are the tips of the body axes.
-    pub(super) has_axes: bool,
-    pub(super) shape: Shape,
+    has_axes: bool,
+    shape: Shape,
     /// Position of the pivot [m], world.
-    pub(super) pivot: Option<Vector3<f64>>,
+    pivot: Option<Vector3<f64>>,
+    registers: Registers,
 }
 
 /// State of the points.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PointState {
-    arms: Vec<Vector3<f64>>,
+    /// X̃ of every mass point, then of every marker, then of tips [m], world.
+    arms: Columns,
+    /// Σ over these arms that I is made of.
+    sums: Sums,
     position: Vector3<f64>,
     velocity: Vector3<f64>,
     momentum: Vector3<f64>,
 }
 
-impl PointState {
-    /// X̃ of every mass point, then of every marker [m], world.
-    pub fn arms(&self) -> &[Vector3<f64>] {
-        &self.arms
-    }
-}
-
 impl PointCloud {
-    /// I = Σ M (|X̃|² E − X̃ X̃ᵀ) [kg m²], world.
-    fn inertia(&self, arms: &[Vector3<f64>]) -> Matrix3<f64> {
-        let (mut squares, mut products) = (Vector3::zeros(), Vector3::zeros());
-        for (x, mass) in arms.iter().zip(&self.masses) {
-            let weighted = x * *mass;
-            squares += weighted.component_mul(x);
-            products += Vector3::new(weighted.y * x.z, weighted.z * x.x, weighted.x * x.y);
+    pub(super) fn new(system: &System, arms: Vec<Vector3<f64>>, has_axes: bool) -> PointCloud {
+        let masses: Vec<f64> = system.body.points.iter().map(|p| p.mass).collect();
+        let mut column_of_masses = masses.clone();
+        column_of_masses.resize(arms.len(), 0.0);
+        PointCloud {
+            start: system.start,
+            forces: system.forces.clone(),
+            masses,
+            column_of_masses: filled(column_of_masses),
+            arms,
+            mass: system.body.mass,
+            inverse_mass: 1.0 / system.body.mass,
+            has_axes,
+            shape: system.body.shape,
+            pivot: system.body.pivoted.then(|| system.origin()),
+            registers: Registers::widest(),
         }
-        Matrix3::new(
-            squares.y + squares.z,
-            -products.z,
-            -products.y,
-            -products.z,
-            squares.z + squares.x,
-            -products.x,
-            -products.y,
-            -products.x,
-            squares.x + squares.y,
-        )
     }
 
     /// I Ω = L solved for Ω. A rod turns with L/s, s = Σ M |X̃|²; a single point does not turn.
+    #[inline(always)]
     fn spin(&self, state: &PointState, inertia: &Matrix3<f64>) -> Result<Vector3<f64>, Broken> {
         match self.shape {
             Shape::Point => Ok(Vector3::zeros()),
             Shape::Rod { .. } => {
-                let farthest =
-                    state.arms[..self.masses.len()].iter().fold(Vector3::zeros(), |a: Vector3<f64>, b| {
-                        if b.norm_squared() > a.norm_squared() { *b } else { a }
-                    });
+                let points = (0..self.masses.len()).map(|k| state.arms.at(k));
+                let farther = |a: Vector3<f64>, b: Vector3<f64>| {
+                    if b.norm_squared() > a.norm_squared() { b } else { a }
+                };
+                let farthest = points.fold(Vector3::zeros(), farther);
                 let direction = farthest / rotation::length(&farthest);
                 let across = state.momentum - direction * direction.dot(&state.momentum);
                 Ok(across / (inertia.trace() / 2.0))
@@ -90,14 +92,16 @@ impl PointCloud {
         spin: Vector3<f64>,
         inertia: Matrix3<f64>,
     ) -> Cloud<'a> {
-        let axes = match state.arms[..] {
-            [.., x, y, z] if self.has_axes => Matrix3::from_columns(&[x, y, z]),
-            _ => Matrix3::identity(),
+        let axes = if self.has_axes {
+            let tips = self.arms.len() - 3;
+            Matrix3::from_columns(&[0, 1, 2].map(|i| state.arms.at(tips + i)))
+        } else {
+            Matrix3::identity()
         };
         let center = if self.pivot.is_some() { self.center_arm(state) } else { Vector3::zeros() };
         Cloud {
-            arms: &state.arms,
-            levers: &levers.arms,
+            arms: state.arms.view(),
+            levers: levers.arms.view(),
             masses: &self.masses,
             origin: self.pivot.unwrap_or(state.position),
             velocity: if self.pivot.is_some() { Vector3::zeros() } else { state.velocity },
@@ -119,22 +123,23 @@ impl PointCloud {
     }
 
     fn center_arm(&self, state: &PointState) -> Vector3<f64> {
-        state.arms.iter().zip(&self.masses).map(|(arm, mass)| arm * (*mass / self.mass)).sum()
+        let weighted = |(k, mass): (usize, &f64)| state.arms.at(k) * (*mass / self.mass);
+        self.masses.iter().enumerate().map(weighted).sum()
     }
 
     /// Largest change of a distance between mass points, or from the origin, over the largest distance. Beyond
     /// 32 points each is compared with its successor only.
-    fn stretch(&self, arms: &[Vector3<f64>]) -> f64 {
+    fn stretch(&self, arms: &Columns) -> f64 {
         let count = self.masses.len();
         let reach = if count <= 32 { count } else { 2 };
         let mut largest: f64 = 0.0;
         let mut extent: f64 = 0.0;
         for first in 0..count {
             extent = extent.max(self.arms[first].norm());
-            largest = largest.max((arms[first].norm() - self.arms[first].norm()).abs());
+            largest = largest.max((arms.at(first).norm() - self.arms[first].norm()).abs());
             for second in first + 1..count.min(first + reach) {
                 let before = (self.arms[first] - self.arms[second]).norm();
-                let now = (arms[first] - arms[second]).norm();
+                let now = (arms.at(first) - arms.at(second)).norm();
                 extent = extent.max(before);
                 largest = largest.max((now - before).abs());
             }
@@ -148,34 +153,37 @@ impl Model for PointCloud {
     type Rates = Motion;
 
     fn start(&self) -> PointState {
+        let arms: Vec<_> = self.arms.iter().map(|arm| self.start.orientation * arm).collect();
+        let arms = Columns::new(&arms);
         PointState {
-            arms: self.arms.iter().map(|arm| self.start.orientation * arm).collect(),
+            sums: Sums::of(&arms, &self.masses),
+            arms,
             position: self.start.position,
             velocity: self.start.velocity,
             momentum: self.start.angular_momentum,
         }
     }
 
+    #[inline(always)]
     fn rates(&self, t: f64, state: &PointState) -> Result<Motion, Broken> {
         self.rates_on_levers(t, state, state)
     }
 
+    #[inline(always)]
     fn advance(&self, from: &PointState, s: f64, rates: &Motion, into: &mut PointState) {
-        let change = rotation::change_of_turn(&(rates.spin * s));
-        for (after, before) in into.arms.iter_mut().zip(&from.arms) {
-            *after = before + change * before;
-        }
+        let change = rotation::change_of_turn(&rates.spin, s);
+        into.sums = turn(self.registers, &change, &from.arms, &self.column_of_masses, &mut into.arms);
         self.advance_sums(from, s, rates, into);
     }
 
     fn is_finite(&self, state: &PointState) -> bool {
-        state.arms.iter().all(|arm| finite(&[arm]))
-            && finite(&[&state.position, &state.velocity, &state.momentum])
+        state.arms.is_finite() && finite(&[&state.position, &state.velocity, &state.momentum])
     }
 
     fn observe(&self, t: f64, state: &PointState) -> Result<Snapshot, Broken> {
-        let spin = self.spin(state, &self.inertia(&state.arms))?;
+        let spin = self.spin(state, &state.sums.inertia())?;
         let count = self.masses.len();
+        let points: Vec<_> = (0..count).map(|k| state.arms.at(k)).collect();
         let (position, velocity) = match self.pivot {
             Some(pivot) => {
                 let arm = self.center_arm(state);
@@ -187,7 +195,7 @@ impl Model for PointCloud {
             time: t,
             position,
             velocity,
-            orientation: rotation::best_fit(&self.arms[..count], &state.arms[..count], &self.masses),
+            orientation: rotation::best_fit(&self.arms[..count], &points, &self.masses),
             angular_velocity: spin,
             angular_momentum: state.momentum,
             stretch: self.stretch(&state.arms),
@@ -205,14 +213,16 @@ impl Pointwise for PointCloud {
         into: &mut PointState,
     ) {
         let turned = rates.spin * s;
-        for ((after, before), arm) in into.arms.iter_mut().zip(&from.arms).zip(&at.arms) {
-            *after = before + turned.cross(arm);
+        for k in 0..from.arms.len() {
+            into.arms.set(k, &(from.arms.at(k) + turned.cross(&at.arms.at(k))));
         }
+        into.sums = Sums::of(&into.arms, &self.masses);
         self.advance_sums(from, s, rates, into);
     }
 
+    #[inline(always)]
     fn rates_on_levers(&self, t: f64, state: &PointState, levers: &PointState) -> Result<Motion, Broken> {
-        let inertia = self.inertia(&state.arms);
+        let inertia = state.sums.inertia();
         let spin = self.spin(state, &inertia)?;
         let load = if self.forces.laws().is_empty() {
             Load::default()
@@ -222,15 +232,29 @@ impl Pointwise for PointCloud {
         Ok(Motion {
             spin,
             velocity: state.velocity,
-            acceleration: load.force / self.mass,
+            acceleration: load.force * self.inverse_mass,
             torque: load.torque,
         })
     }
 }
 
-/// Solves a symmetric positive system by L Lᵀ, scaled by the trace so that no product leaves the range of f64.
+/// Solves a symmetric positive system by L D Lᵀ, in which no product of two moments occurs that could leave the range of
+/// f64.
+#[inline]
 fn solve(inertia: &Matrix3<f64>, momentum: &Vector3<f64>) -> Result<Vector3<f64>, Broken> {
-    let scale = inertia.trace();
-    let factors = (inertia / scale).cholesky().ok_or(Broken::Singular)?;
-    Ok(factors.solve(&(momentum / scale)))
+    let [a, b, c] = [inertia.m11, inertia.m21, inertia.m31];
+    let first = 1.0 / a;
+    let (l21, l31) = (b * first, c * first);
+    let d = inertia.m22 - l21 * b;
+    let e = inertia.m32 - l31 * b;
+    let second = 1.0 / d;
+    let l32 = e * second;
+    let f = inertia.m33 - l31 * c - l32 * e;
+    if !(a > 0.0 && d > 0.0 && f > 0.0) {
+        return Err(Broken::Singular);
+    }
+    let y = momentum.y - l21 * momentum.x;
+    let z = (momentum.z - l31 * momentum.x - l32 * y) / f;
+    let y = y * second - l32 * z;
+    Ok(Vector3::new(momentum.x * first - l21 * y - l31 * z, y, z))
 }

@@ -64,9 +64,9 @@ impl Rates for RotorRates {
 
 impl Rotor {
     /// Ω and the matrix that takes principal axes to world axes.
+    #[inline(always)]
     fn spin(&self, state: &RotorState) -> (Vector3<f64>, Matrix3<f64>) {
-        let axes = state.attitude.to_rotation_matrix().into_inner();
-        (axes * axes.tr_mul(&state.momentum).component_mul(&self.rotational.inverse_moments), axes)
+        (self.rotational.spin(&state.attitude, &state.momentum), rotation::axes(&state.attitude))
     }
 }
 
@@ -78,6 +78,7 @@ impl Model for Rotor {
         RotorState { attitude: self.rotational.attitude, momentum: self.start.angular_momentum }
     }
 
+    #[inline(always)]
     fn rates(&self, t: f64, state: &RotorState) -> Result<RotorRates, Broken> {
         let (spin, axes) = self.spin(state);
         let (origin, velocity) = match self.pivot {
@@ -88,8 +89,9 @@ impl Model for Rotor {
         Ok(RotorRates { spin, torque: load.torque })
     }
 
+    #[inline(always)]
     fn advance(&self, from: &RotorState, s: f64, rates: &RotorRates, into: &mut RotorState) {
-        into.attitude = rotation::renormalized(rotation::turn(&(rates.spin * s)) * from.attitude);
+        into.attitude = rotation::turned(&from.attitude, &rates.spin, s);
         into.momentum = from.momentum + rates.torque * s;
     }
 

@@ -6,7 +6,7 @@ use super::body::{Body, Shape};
 use super::forces::{Attachment, Forces, Law, PerPoint, Spring, TorqueAxes};
 use super::placed::Placed;
 use super::{Falling, Forced, Free, PointCloud, Rotor, Snapshot};
-use crate::rotation::{self, Rotation};
+use crate::rotation::{self, Rotation, formulas};
 
 /// How the initial rotation is given.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -154,8 +154,10 @@ pub struct Rotational {
 
 impl Rotational {
     /// Ω = R I⁻¹ Rᵀ L [rad/s], world.
+    #[inline(always)]
     pub fn spin(&self, attitude: &Rotation, momentum: &Vector3<f64>) -> Vector3<f64> {
-        attitude * attitude.inverse_transform_vector(momentum).component_mul(&self.inverse_moments)
+        let columns = formulas::outer_columns([attitude.w, attitude.i, attitude.j, attitude.k]);
+        formulas::spin(&columns, self.inverse_moments.into(), (*momentum).into()).into()
     }
 
     /// The orientation of the body axes.
@@ -308,23 +310,15 @@ impl System {
         }
         let has_axes = self.forces.laws().iter().any(Law::needs_axes);
         let tips = if has_axes { vec![Vector3::x(), Vector3::y(), Vector3::z()] } else { Vec::new() };
-        let arms = self
+        let arms: Vec<_> = self
             .body
             .points
             .iter()
             .map(|p| p.position)
             .chain(self.forces.markers().iter().copied())
-            .chain(tips);
-        Ok(AnyModel::Points(PointCloud {
-            start: self.start,
-            forces: self.forces.clone(),
-            masses: self.body.points.iter().map(|p| p.mass).collect(),
-            arms: arms.collect(),
-            mass: self.body.mass,
-            has_axes,
-            shape: self.body.shape,
-            pivot: self.body.pivoted.then(|| self.origin()),
-        }))
+            .chain(tips)
+            .collect();
+        Ok(AnyModel::Points(PointCloud::new(self, arms, has_axes)))
     }
 
     /// Rotational energy ½ Ω·L [J], about the origin.

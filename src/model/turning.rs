@@ -1,32 +1,51 @@
 //! What schemes in body axes ask of a model: an attitude, moments of inertia, and kicks apart from drifts.
 
-use nalgebra::Vector3;
+use nalgebra::{Quaternion, Vector3};
 
-use super::Turning;
 use super::falling::Falling;
 use super::forced::Forced;
 use super::free::Free;
 use super::rotor::Rotor;
 use super::system::Rotational;
-use crate::rotation::{Rotation, length};
+use super::{Broken, Turning};
+use crate::rotation::{Rotation, formulas, length};
 
 impl Turning for Free {
     fn rotational(&self) -> &Rotational {
         &self.rotational
     }
 
+    #[inline(always)]
     fn attitude(&self, state: &Rotation) -> Rotation {
         *state
     }
 
+    #[inline(always)]
     fn momentum(&self, _state: &Rotation) -> Vector3<f64> {
         self.start.angular_momentum
     }
 
+    #[inline(always)]
     fn place(&self, state: &mut Rotation, attitude: Rotation, _momentum: Vector3<f64>) {
         *state = attitude;
     }
 
+    /// Ω is all that a free body asks of a stage.
+    #[inline(always)]
+    fn rates_at_stage(
+        &self,
+        _t: f64,
+        _held: (&Rotation, f64, &Vector3<f64>),
+        (q, time): (&Quaternion<f64>, f64),
+        _stage: &mut Rotation,
+    ) -> Result<(Vector3<f64>, Quaternion<f64>), Broken> {
+        let (inverse, momentum) = (self.rotational.inverse_moments, self.start.angular_momentum);
+        let (spin, [w, x, y, z]) =
+            formulas::spin_at([q.w, q.i, q.j, q.k], 0.5 * time, inverse.into(), momentum.into());
+        Ok((spin.into(), Quaternion::new(w, x, y, z)))
+    }
+
+    #[inline(always)]
     fn spin_of(&self, rates: &Vector3<f64>) -> Vector3<f64> {
         *rates
     }

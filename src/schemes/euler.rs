@@ -4,7 +4,7 @@
 //!
 //! Source: peskin2021, steps (1)–(4). First order, with the exact rotation; L constant without torque.
 
-use super::{Card, Scheme, Workspace};
+use super::{Card, Scheme, SideBySide, Workspace};
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model};
 
@@ -32,8 +32,10 @@ impl Scheme for Euler {
             Claim::Equivariant,
         ],
     };
+    const SIDE_BY_SIDE: Option<SideBySide> = Some(SideBySide::Euler);
     const STATES: usize = 0;
 
+    #[inline(always)]
     fn step<M: Model>(
         model: &M,
         t: f64,

@@ -97,10 +97,31 @@ impl<M: Model> Workspace<M> {
     }
 }
 
+/// Schemes whose step on a free body is also written for many bodies side by side (`ensemble`).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SideBySide {
+    /// [`Euler`].
+    Euler,
+    /// [`PeskinRk2`].
+    PeskinRk2,
+}
+
+impl SideBySide {
+    /// Evaluations of the rates in a step.
+    pub fn evaluations(self) -> u64 {
+        match self {
+            SideBySide::Euler => 1,
+            SideBySide::PeskinRk2 => 2,
+        }
+    }
+}
+
 /// A time-stepping scheme for every model.
 pub trait Scheme: 'static {
     /// What it says of itself.
     const CARD: Card;
+    /// Its form for many bodies side by side, if it has one.
+    const SIDE_BY_SIDE: Option<SideBySide> = None;
     /// States that a step needs besides those that it goes from and to.
     const STATES: usize;
 

@@ -6,7 +6,7 @@
 //! Source: peskin2021, steps (1)–(8). Second order; L constant without torque; the energy of a free body grows
 //! at a rate ∝ h³, so that it drifts: this is the scheme's weak side.
 
-use super::{Card, Scheme, Workspace};
+use super::{Card, Scheme, SideBySide, Workspace};
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model};
 
@@ -35,8 +35,10 @@ impl Scheme for PeskinRk2 {
             Claim::Equivariant,
         ],
     };
+    const SIDE_BY_SIDE: Option<SideBySide> = Some(SideBySide::PeskinRk2);
     const STATES: usize = 1;
 
+    #[inline(always)]
     fn step<M: Model>(
         model: &M,
         t: f64,

@@ -8,15 +8,15 @@
 //! (4)  k₄ = f(t + h, y₀ + h k₃)
 //! (5)  y₁ = y₀ + h (k₁ + 2 k₂ + 2 k₃ + k₄)/6, then q₁ over its length
 //!
+//! The part of kᵢ that is q̇ comes as d₁ = h/2 q̇, d₂ = h/2 q̇, d₃ = h q̇, d₄ = h/6 q̇: what the next line adds to q₀.
+//!
 //! Source: kutta1901. Fourth order; L constant without torque; the energy of a free body drifts.
 
-use nalgebra::Quaternion;
-
-use super::vector_form::{hold, quaternion_rate};
+use super::vector_form::hold;
 use super::{Card, TurningScheme, Workspace};
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
-use crate::rotation::Rotation;
+use crate::rotation::{rate_of, unit};
 
 /// The classical Runge–Kutta method on a quaternion.
 #[derive(Clone, Copy, Debug)]
@@ -45,6 +45,7 @@ impl TurningScheme for Rk4Quaternion {
     const TAKES_VELOCITY_FORCES: bool = true;
     const TAKES_RODS: bool = true;
 
+    #[inline(always)]
     fn step<M: Turning>(
         model: &M,
         t: f64,
@@ -55,25 +56,18 @@ impl TurningScheme for Rk4Quaternion {
     ) -> Result<(), Broken> {
         let stage = &mut work.states[0];
         let q0 = model.attitude(from).into_inner();
-        let place = |s: f64, rates: &M::Rates, q: Quaternion<f64>, into: &mut M::State| {
-            hold(model, from, s, rates, Rotation::new_normalize(q), into);
-        };
-        let k1 = model.rates(t, from)?; // (1)
-        let p1 = quaternion_rate(&model.spin_of(&k1), &q0);
-        let q2 = q0 + p1 * (h / 2.0);
-        place(h / 2.0, &k1, q2, stage);
-        let k2 = model.rates(t + h / 2.0, stage)?; // (2)
-        let p2 = quaternion_rate(&model.spin_of(&k2), &q2);
-        let q3 = q0 + p2 * (h / 2.0);
-        place(h / 2.0, &k2, q3, stage);
-        let k3 = model.rates(t + h / 2.0, stage)?; // (3)
-        let p3 = quaternion_rate(&model.spin_of(&k3), &q3);
-        let q4 = q0 + p3 * h;
-        place(h, &k3, q4, stage);
-        let k4 = model.rates(t + h, stage)?; // (4)
-        let p4 = quaternion_rate(&model.spin_of(&k4), &q4);
+        let k1 = model.rates(t, from)?;
+        let d1 = rate_of(&model.spin_of(&k1), &q0) * (h / 2.0); // (1)
+        let q2 = q0 + d1;
+        let (k2, d2) =
+            model.rates_at_stage(t + h / 2.0, (from, h / 2.0, &k1), (&q2, h / 2.0), stage)?; // (2)
+        let q3 = q0 + d2;
+        let (k3, d3) = model.rates_at_stage(t + h / 2.0, (from, h / 2.0, &k2), (&q3, h), stage)?; // (3)
+        let q4 = q0 + d3;
+        let (k4, d4) = model.rates_at_stage(t + h, (from, h, &k3), (&q4, h / 6.0), stage)?; // (4)
         let mean = (k1 + k2 * 2.0 + k3 * 2.0 + k4) * (1.0 / 6.0);
-        place(h, &mean, q0 + (p1 + p2 * 2.0 + p3 * 2.0 + p4) * (h / 6.0), to); // (5)
+        let q1 = (q0 + (d1 + d2 * 2.0 + d3) * (1.0 / 3.0)) + d4;
+        hold(model, from, h, &mean, unit(&q1), to); // (5)
         Ok(())
     }
 }

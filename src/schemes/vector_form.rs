@@ -14,6 +14,7 @@ pub(super) fn quaternion_rate(spin: &Vector3<f64>, q: &Quaternion<f64>) -> Quate
 }
 
 /// Holds `rates` for a time `s` from `from`, but for the attitude, which is given.
+#[inline(always)]
 pub(super) fn hold<M: Turning>(
     model: &M,
     from: &M::State,

@@ -1,7 +1,7 @@
 //! A copy of Peskin's scheme on mass points, written from the note in plain loops, with one place for each
 //! flaw. It shares no code with the scheme under test but the force laws.
 
-use crate::model::forces::{Cloud, Load};
+use crate::model::forces::{Arms, Cloud, Load};
 use crate::model::{Broken, Snapshot, System};
 use crate::rotation;
 use crate::schemes::Scheme;
@@ -240,8 +240,8 @@ impl<'a> Copy<'a> {
             _ => spin,
         };
         let cloud = Cloud {
-            arms: &state.arms,
-            levers: if self.flaw == Flaw::StaleLever { &self.start_arms } else { &state.arms },
+            arms: Arms::Listed(&state.arms),
+            levers: Arms::Listed(if self.flaw == Flaw::StaleLever { &self.start_arms } else { &state.arms }),
             masses: &self.masses,
             origin,
             velocity,

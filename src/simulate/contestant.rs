@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::{InBodyAxes, OnAnyModel, OnPoints, Outcome, Plan, Program, Trajectory, run, substeps};
 use crate::model::body::Shape;
 use crate::model::{AnyModel, Broken, Snapshot, System, SystemError};
-use crate::schemes::{self, Card, PointScheme, Scheme, TurningScheme, Visitor};
+use crate::schemes::{self, Card, PointScheme, Scheme, SideBySide, TurningScheme, Visitor};
 
 /// Which form of a scene is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,6 +49,7 @@ pub struct Contestant {
     refusal: Option<Arc<Refusal>>,
     program: Option<Arc<Who>>,
     most_steps: u64,
+    side_by_side: Option<SideBySide>,
 }
 
 /// What a scheme takes.
@@ -78,11 +79,23 @@ impl Limits {
 impl Contestant {
     /// A scheme of any crate.
     pub fn new<S: Scheme>() -> Contestant {
-        Contestant::within(Limits::NONE, S::CARD, Arc::new(run_on_any_model::<S>))
+        let side_by_side = S::SIDE_BY_SIDE;
+        Contestant {
+            side_by_side,
+            ..Contestant::within(Limits::NONE, S::CARD, Arc::new(run_on_any_model::<S>))
+        }
     }
 
     fn within(limits: Limits, card: Card, run: Arc<Run>) -> Contestant {
-        Contestant { card, run, limits, refusal: None, program: None, most_steps: MOST_STEPS }
+        Contestant {
+            card,
+            run,
+            limits,
+            refusal: None,
+            program: None,
+            most_steps: MOST_STEPS,
+            side_by_side: None,
+        }
     }
 
     /// A scheme in body axes, of any crate.
@@ -102,6 +115,11 @@ impl Contestant {
     pub fn points<S: PointScheme>() -> Contestant {
         let limits = Limits { reduced: false, ..Limits::NONE };
         Contestant::within(limits, S::CARD, Arc::new(run_on_points::<S>))
+    }
+
+    /// The scheme's form for many free bodies side by side, if it has one.
+    pub fn side_by_side(&self) -> Option<SideBySide> {
+        self.side_by_side
     }
 
     /// Name of the model that stands for a scene in its least form.
@@ -161,6 +179,7 @@ impl Contestant {
             limits: self.limits,
             refusal: self.refusal.clone(),
             program: self.program.clone(),
+            side_by_side: None,
             most_steps: self.most_steps / u64::from(parts),
         })
     }

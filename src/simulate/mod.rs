@@ -6,17 +6,16 @@
 mod contestant;
 mod substeps;
 mod program;
+mod counted;
 
-use std::cell::Cell;
 use std::marker::PhantomData;
 use std::time::Instant;
 
-use nalgebra::Vector3;
-
 use crate::interrupt;
-use crate::model::{Broken, Model, Pointwise, Rotational, Snapshot, Turning};
-use crate::rotation::Rotation;
+use crate::model::{Broken, Model, Pointwise, Snapshot, Turning};
 use crate::schemes::{PointScheme, Scheme, TurningScheme, Workspace};
+
+use counted::Counted;
 
 pub use contestant::{Contestant, Form};
 pub use program::Program;
@@ -120,6 +119,7 @@ struct OnAnyModel<S>(PhantomData<S>);
 impl<S: Scheme, M: Model> Step<M> for OnAnyModel<S> {
     const STATES: usize = S::STATES;
 
+    #[inline(always)]
     fn step(
         model: &M,
         t: f64,
@@ -138,6 +138,7 @@ struct InBodyAxes<S>(PhantomData<S>);
 impl<S: TurningScheme, M: Turning> Step<M> for InBodyAxes<S> {
     const STATES: usize = S::STATES;
 
+    #[inline(always)]
     fn step(
         model: &M,
         t: f64,
@@ -156,6 +157,7 @@ struct OnPoints<S>(PhantomData<S>);
 impl<S: PointScheme, M: Pointwise> Step<M> for OnPoints<S> {
     const STATES: usize = S::STATES;
 
+    #[inline(always)]
     fn step(
         model: &M,
         t: f64,
@@ -165,105 +167,6 @@ impl<S: PointScheme, M: Pointwise> Step<M> for OnPoints<S> {
         work: &mut Workspace<M>,
     ) -> Result<(), Broken> {
         S::step(model, t, h, from, to, work)
-    }
-}
-
-/// A model that counts the evaluations of its rates and the implicit equations solved on it.
-struct Counted<'a, M> {
-    model: &'a M,
-    evaluations: Cell<u64>,
-    solves: Cell<u64>,
-    iterations: Cell<u64>,
-}
-
-impl<M: Model> Model for Counted<'_, M> {
-    type State = M::State;
-    type Rates = M::Rates;
-
-    fn start(&self) -> M::State {
-        self.model.start()
-    }
-
-    fn rates(&self, t: f64, state: &M::State) -> Result<M::Rates, Broken> {
-        self.evaluations.set(self.evaluations.get() + 1);
-        self.model.rates(t, state)
-    }
-
-    fn advance(&self, from: &M::State, s: f64, rates: &M::Rates, into: &mut M::State) {
-        self.model.advance(from, s, rates, into);
-    }
-
-    fn is_finite(&self, state: &M::State) -> bool {
-        self.model.is_finite(state)
-    }
-
-    fn observe(&self, t: f64, state: &M::State) -> Result<Snapshot, Broken> {
-        self.model.observe(t, state)
-    }
-
-    fn solved(&self, iterations: u32) {
-        self.solves.set(self.solves.get() + 1);
-        self.iterations.set(self.iterations.get() + u64::from(iterations));
-    }
-}
-
-impl<M: Turning> Turning for Counted<'_, M> {
-    fn rotational(&self) -> &Rotational {
-        self.model.rotational()
-    }
-
-    fn attitude(&self, state: &M::State) -> Rotation {
-        self.model.attitude(state)
-    }
-
-    fn momentum(&self, state: &M::State) -> Vector3<f64> {
-        self.model.momentum(state)
-    }
-
-    fn place(&self, state: &mut M::State, attitude: Rotation, momentum: Vector3<f64>) {
-        self.model.place(state, attitude, momentum);
-    }
-
-    fn spin_of(&self, rates: &M::Rates) -> Vector3<f64> {
-        self.model.spin_of(rates)
-    }
-
-    fn torque_of(&self, rates: &M::Rates) -> Vector3<f64> {
-        self.model.torque_of(rates)
-    }
-
-    fn kick(&self, state: &mut M::State, s: f64, rates: &M::Rates) {
-        self.model.kick(state, s, rates);
-    }
-
-    fn drift(&self, state: &mut M::State, s: f64) {
-        self.model.drift(state, s);
-    }
-
-    fn apart(&self, a: &M::State, b: &M::State) -> f64 {
-        self.model.apart(a, b)
-    }
-
-    fn reads_velocity(&self) -> bool {
-        self.model.reads_velocity()
-    }
-}
-
-impl<M: Pointwise> Pointwise for Counted<'_, M> {
-    fn advance_straight(
-        &self,
-        from: &M::State,
-        s: f64,
-        rates: &M::Rates,
-        at: &M::State,
-        into: &mut M::State,
-    ) {
-        self.model.advance_straight(from, s, rates, at, into);
-    }
-
-    fn rates_on_levers(&self, t: f64, state: &M::State, levers: &M::State) -> Result<M::Rates, Broken> {
-        self.evaluations.set(self.evaluations.get() + 1);
-        self.model.rates_on_levers(t, state, levers)
     }
 }
 
@@ -282,13 +185,23 @@ struct Stepper<'a, S, M: Model> {
 impl<'a, S: Step<Counted<'a, M>>, M: Model> Stepper<'a, S, M> {
     /// Steps from `from` to `to`, counted from the start of the run.
     fn advance(&mut self, from: u64, to: u64) -> Result<(), (u64, Broken)> {
+        // Places are exchanged, not states: those of a small model would be copied with every step.
+        let (mut now, mut next) = (&mut self.now, &mut self.next);
+        let mut result = Ok(());
+        let mut taken = 0;
         for n in from..to {
             let t = n as f64 * self.step;
-            S::step(&self.model, t, self.step, &self.now, &mut self.next, &mut self.work)
-                .map_err(|why| (n + 1, why))?;
+            if let Err(why) = S::step(&self.model, t, self.step, now, next, &mut self.work) {
+                result = Err((n + 1, why));
+                break;
+            }
+            std::mem::swap(&mut now, &mut next);
+            taken += 1;
+        }
+        if taken % 2 == 1 {
             std::mem::swap(&mut self.now, &mut self.next);
         }
-        Ok(())
+        result
     }
 
     /// Steps and checks the result. Where it is not finite, the steps are taken again one by one to find the
@@ -320,7 +233,7 @@ fn run<'a, S: Step<Counted<'a, M>>, M: Model>(
     let start = model.start();
     let work = Workspace::new(&start, S::STATES);
     let mut stepper = Stepper::<S, M> {
-        model: Counted { model, evaluations: Cell::new(0), solves: Cell::new(0), iterations: Cell::new(0) },
+        model: Counted::new(model),
         step: plan.step,
         next: start.clone(),
         checked: start.clone(),
@@ -332,7 +245,7 @@ fn run<'a, S: Step<Counted<'a, M>>, M: Model>(
     let mut outcome = Outcome::none_yet();
     let every = plan.every.max(1);
     let broke = |step: u64, why| Some(Break { step, time: step as f64 * plan.step, why });
-    loop {
+    while outcome.broken.is_none() {
         if outcome.steps.is_multiple_of(every) || outcome.steps == plan.steps {
             match stepper.model.observe(outcome.steps as f64 * plan.step, &stepper.now) {
                 Ok(snapshot) => store(&snapshot),
@@ -361,8 +274,6 @@ fn run<'a, S: Step<Counted<'a, M>>, M: Model>(
     }
     // The final state is an output of the loop: without this a run that stores nothing could be deleted.
     std::hint::black_box(&stepper.now);
-    outcome.evaluations = stepper.model.evaluations.get();
-    outcome.solves = stepper.model.solves.get();
-    outcome.iterations = stepper.model.iterations.get();
+    stepper.model.tell(&mut outcome);
     outcome
 }

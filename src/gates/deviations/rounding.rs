@@ -4,13 +4,6 @@ use super::Deviation;
 
 pub(super) const KNOWN: &[Deviation] = &[
     Deviation {
-        reason: "each step multiplies five rotations of many radians, and passing near the separatrix amplifies their \
-                 rounding to 1.2 times the bound",
-        claim: "exact",
-        quantities: &["orientation-end", "angular-velocity-end"],
-        places: &[("dzhanibekov", &["exact-rotor"])],
-    },
-    Deviation {
         reason: "L is exact but for rounding, and the torques of the weight, which cancel in their sum to rounding, are \
                  added to it in every step: in a million steps they pass the bound",
         claim: "exact",

@@ -29,8 +29,8 @@ impl Gravity {
         if cloud.masses.is_empty() {
             load.push(&cloud.center, &(self.acceleration * cloud.mass));
         }
-        for (mass, lever) in cloud.masses.iter().zip(cloud.levers) {
-            load.push(lever, &(self.acceleration * *mass));
+        for (k, mass) in cloud.masses.iter().enumerate() {
+            load.push(&cloud.levers.at(k), &(self.acceleration * *mass));
         }
     }
 

@@ -162,12 +162,38 @@ impl Pose {
     }
 }
 
+/// Arms of points [m], world, one by one or coordinate by coordinate.
+#[derive(Clone, Copy, Debug)]
+pub enum Arms<'a> {
+    /// A vector a point.
+    Listed(&'a [Vector3<f64>]),
+    /// A column a coordinate.
+    Columns {
+        /// Along the first axis.
+        x: &'a [f64],
+        /// Along the second.
+        y: &'a [f64],
+        /// Along the third.
+        z: &'a [f64],
+    },
+}
+
+impl Arms<'_> {
+    /// The arm of a point.
+    pub fn at(&self, k: usize) -> Vector3<f64> {
+        match self {
+            Arms::Listed(arms) => arms[k],
+            Arms::Columns { x, y, z } => Vector3::new(x[k], y[k], z[k]),
+        }
+    }
+}
+
 /// Mass points and massless markers of a body in motion, and what their laws need besides.
 pub struct Cloud<'a> {
     /// X̃ of every mass point, then of every marker [m], world.
-    pub arms: &'a [Vector3<f64>],
+    pub arms: Arms<'a>,
     /// Lever arms of their forces [m], world: X̃ again, but in schemes that keep a force while its point moves.
-    pub levers: &'a [Vector3<f64>],
+    pub levers: Arms<'a>,
     /// Masses of the mass points [kg].
     pub masses: &'a [f64],
     /// Position of the origin [m], world.
@@ -260,9 +286,9 @@ impl Forces {
                 Law::Gravity(law) => law.add_on_points(cloud, &mut load),
                 Law::Spring(law) => {
                     let index = law.arm_index(&mut marker);
-                    let arm = cloud.arms[index];
+                    let arm = cloud.arms.at(index);
                     load.push(
-                        &cloud.levers[index],
+                        &cloud.levers.at(index),
                         &law.force(&(cloud.origin + arm), &cloud.velocity_at(&arm)),
                     );
                 }
@@ -287,7 +313,9 @@ impl Forces {
         for law in &self.laws {
             total += match law {
                 Law::Gravity(law) => law.potential(cloud),
-                Law::Spring(law) => law.potential(&(cloud.origin + cloud.arms[law.arm_index(&mut marker)])),
+                Law::Spring(law) => {
+                    law.potential(&(cloud.origin + cloud.arms.at(law.arm_index(&mut marker))))
+                }
                 Law::CentralGravity(law) => sum_points(cloud, |k, x| law.potential(cloud.masses[k], x)),
                 Law::Lorentz(law) if law.is_static() => sum_points(cloud, |k, x| law.potential(k, x)),
                 Law::Dipole(law) => law.potential(&cloud.axes),
@@ -365,17 +393,14 @@ fn each_point(
     load: &mut Load,
     force: impl Fn(usize, &Vector3<f64>, &Vector3<f64>) -> Vector3<f64>,
 ) {
-    for (k, arm) in cloud.arms[..cloud.masses.len()].iter().enumerate() {
-        load.push(&cloud.levers[k], &force(k, &(cloud.origin + arm), &cloud.velocity_at(arm)));
+    for k in 0..cloud.masses.len() {
+        let arm = cloud.arms.at(k);
+        load.push(&cloud.levers.at(k), &force(k, &(cloud.origin + arm), &cloud.velocity_at(&arm)));
     }
 }
 
 fn sum_points(cloud: &Cloud, potential: impl Fn(usize, &Vector3<f64>) -> f64) -> f64 {
-    cloud.arms[..cloud.masses.len()]
-        .iter()
-        .enumerate()
-        .map(|(k, arm)| potential(k, &(cloud.origin + arm)))
-        .sum()
+    (0..cloud.masses.len()).map(|k| potential(k, &(cloud.origin + cloud.arms.at(k)))).sum()
 }
 
 /// A vector in body axes, taken to principal axes.

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::elliptic::Amplitude;
+use crate::elliptic::{Amplitude, amplitude};
 use crate::model::System;
 use crate::reference::precise::DoubleDouble;
 
@@ -59,7 +59,8 @@ impl Roots {
         let root = |part: f64| (part / self.between).clamp(0.0, 1.0).sqrt();
         let still = self.between <= 0.0;
         let (sine, cosine) = if still { (0.0, 1.0) } else { (root(self.above), root(self.below)) };
-        Amplitude { half_turns: 0.0, sine: sine.copysign(rising), cosine }
+        let quarter_period = amplitude(0.0, self.complementary).quarter_period;
+        Amplitude { half_turns: 0.0, sine: sine.copysign(rising), cosine, quarter_period }
     }
 }
 

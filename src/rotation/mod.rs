@@ -7,6 +7,8 @@
 //!
 //! |v| is never taken as a bare √(Σ²) where that could overflow: numbers near 1e±160 occur in rescaled scenes.
 
+pub mod formulas;
+
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 /// A proper rotation of space.
@@ -39,15 +41,59 @@ pub fn turn(v: &Vector3<f64>) -> Rotation {
     Rotation::new_unchecked(Quaternion::from_parts(cosine, half * (sine / x)))
 }
 
-/// R − E for the rotation whose rotation vector is `v` [rad], without cancellation: x + (R − E) x keeps lengths
-/// far better over many small turns than R x.
+/// cos x and sin x / x, x = |half|.
+#[inline(always)]
+fn coefficients(half: [f64; 3]) -> (f64, f64) {
+    let square = formulas::dot(half, half);
+    if square <= formulas::LARGEST_SQUARE {
+        formulas::coefficients(square)
+    } else {
+        let x = length(&half.into());
+        (x.cos(), x.sin() / x)
+    }
+}
+
+/// R(Ω, s) · from, the length of `from` put right before.
+#[inline(always)]
+pub fn turned(from: &Rotation, spin: &Vector3<f64>, s: f64) -> Rotation {
+    let half = 0.5 * s;
+    let half = [spin.x * half, spin.y * half, spin.z * half];
+    let [w, x, y, z] = formulas::turned(coefficients(half), half, [from.w, from.i, from.j, from.k]);
+    Rotation::new_unchecked(Quaternion::new(w, x, y, z))
+}
+
+/// dq/dt = ½ Ω q, Ω in world axes as the quaternion (0, Ω).
+#[inline(always)]
+pub fn rate_of(spin: &Vector3<f64>, q: &Quaternion<f64>) -> Quaternion<f64> {
+    let half = [spin.x * 0.5, spin.y * 0.5, spin.z * 0.5];
+    let [w, x, y, z] = formulas::pure_times(half, [q.w, q.i, q.j, q.k]);
+    Quaternion::new(w, x, y, z)
+}
+
+/// The matrix of a rotation.
+#[inline(always)]
+pub fn axes(rotation: &Rotation) -> Matrix3<f64> {
+    let [x, y, z] = formulas::axes([rotation.w, rotation.i, rotation.j, rotation.k]);
+    Matrix3::new(x[0], x[1], x[2], y[0], y[1], y[2], z[0], z[1], z[2])
+}
+
+/// Rows of R(Ω, s) − E without cancellation: x + (R − E) x keeps lengths far better over many small turns than R x.
 ///
-/// With the quaternion (w, u) of the turn and K the matrix of u ×, R − E = s (w K + K²). With s = 2/|q|² this is
-/// exact for a quaternion of any length, so that the rounding of its norm does not stretch what is turned.
-pub fn change_of_turn(v: &Vector3<f64>) -> Matrix3<f64> {
-    let q = turn(v).into_inner();
-    let cross = q.imag().cross_matrix();
-    (cross * q.w + cross * cross) * (2.0 / q.norm_squared())
+/// With v = Ω s/2, x = |v|, c = cos x, S = sin x / x and K the matrix of v ×, R − E = 2 c S K + 2 S² K². What rounding
+/// makes of c² + S² x² = 1 stretches what is turned by that times the square of the angle.
+#[inline]
+pub fn change_of_turn(spin: &Vector3<f64>, s: f64) -> [[f64; 3]; 3] {
+    let half_time = 0.5 * s;
+    let [x, y, z] = [spin.x * half_time, spin.y * half_time, spin.z * half_time];
+    let (cosine, sine) = coefficients([x, y, z]);
+    let (a, b) = (2.0 * cosine * sine, 2.0 * sine * sine);
+    let (bx, by, bz) = (b * x, b * y, b * z);
+    let (ax, ay, az) = (a * x, a * y, a * z);
+    [
+        [-(by * y + bz * z), bx * y - az, bx * z + ay],
+        [bx * y + az, -(bx * x + bz * z), by * z - ax],
+        [bx * z - ay, by * z + ax, -(bx * x + by * y)],
+    ]
 }
 
 /// The rotation vector of `rotation` [rad], with an angle in [0, π]: the logarithm.
@@ -83,6 +129,17 @@ pub fn angle_between_directions(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
 pub fn renormalized(rotation: Rotation) -> Rotation {
     let q = rotation.into_inner();
     Rotation::new_unchecked(q * (1.5 - 0.5 * q.norm_squared()))
+}
+
+/// q/|q|, by a series in |q|² − 1 where that is below 1e-6: neither a root nor a division.
+#[inline(always)]
+pub fn unit(q: &Quaternion<f64>) -> Rotation {
+    let excess = (q.w * q.w + q.i * q.i) + (q.j * q.j + q.k * q.k) - 1.0;
+    if excess.abs() <= formulas::LARGEST_EXCESS {
+        Rotation::new_unchecked(q * formulas::inverse_root(excess))
+    } else {
+        Rotation::new_normalize(*q)
+    }
 }
 
 /// The rotation nearest to a matrix that is one but for rounding, by its largest quaternion component.
@@ -136,81 +193,4 @@ fn half_turn(direction: &Vector3<f64>) -> Rotation {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use std::f64::consts::PI;
-
-    #[test]
-    fn a_turn_is_a_rotation_for_tiny_huge_and_no_angles() {
-        for exponent in [-320, -200, -160, -30, -8, -3, 0, 3, 8, 15, 160, 300] {
-            let v = Vector3::new(1.0, -2.0, 0.5) * 10f64.powi(exponent);
-            let rotation = turn(&v);
-            assert!((rotation.norm() - 1.0).abs() < 4.0 * f64::EPSILON, "exponent {exponent}");
-        }
-        assert_eq!(turn(&Vector3::zeros()), Rotation::identity());
-    }
-
-    #[test]
-    fn a_line_of_points_is_fitted_to_rounding_at_every_angle() {
-        let line = [Vector3::new(0.3, -0.2, 0.5), Vector3::new(-0.6, 0.4, -1.0)];
-        for angle in [0.0, 1e-12, 1e-8, 1e-3, 1.0, 3.0, PI] {
-            let turned = line.map(|x| {
-                turn(&(Vector3::new(0.0, 0.928_476_690_885_259, 0.371_390_676_354_103_7) * angle)) * x
-            });
-            let fitted = best_fit(&line, &turned, &[1.0, 2.0]);
-            let apart = angle_between_directions(&(fitted * line[0]), &turned[0]);
-            // 1 + cos θ is rounded by u, and so the angle by u over cos θ/2; at π any half turn will do.
-            let bound = 8.0 * f64::EPSILON / (angle / 2.0).cos().max(1e-7);
-            assert!(apart < bound, "angle {angle}: {apart:e}");
-        }
-    }
-
-    #[test]
-    fn a_turn_agrees_with_rodrigues_formula() {
-        for angle in [1e-9, 1e-3, 0.5, 2.0, PI, 4.0, 100.0] {
-            let axis = Vector3::new(2.0, -1.0, 2.0) / 3.0;
-            let p = Vector3::new(0.3, 0.7, -1.1);
-            let rodrigues = p * f64::cos(angle)
-                + axis.cross(&p) * f64::sin(angle)
-                + axis * axis.dot(&p) * (1.0 - f64::cos(angle));
-            // Two evaluations of trigonometric functions of an angle that is itself rounded: a few u (1 + angle).
-            let error = (turn(&(axis * angle)) * p - rodrigues).norm();
-            assert!(error < 4.0 * f64::EPSILON * (1.0 + angle), "angle {angle}: {error:e}");
-        }
-    }
-
-    #[test]
-    fn the_logarithm_undoes_the_exponential_below_a_half_turn() {
-        for angle in [1e-300, 1e-12, 1e-4, 1.0, 3.0, 3.1] {
-            let v = Vector3::new(-1.0, 2.0, 2.0) / 3.0 * angle;
-            assert!((vector_of(&turn(&v)) - v).norm() <= 4e-15 * angle, "angle {angle}");
-        }
-    }
-
-    #[test]
-    fn an_angle_of_1e_minus_12_is_seen() {
-        let a = turn(&Vector3::new(0.4, 0.1, -0.9));
-        let b = a * turn(&Vector3::new(0.0, 1e-12, 0.0));
-        assert!((angle_between(&a, &b) - 1e-12).abs() < 3e-16);
-    }
-
-    #[test]
-    fn the_best_fit_finds_the_rotation_of_solids_plates_and_rods() {
-        let rotation = turn(&Vector3::new(0.7, -1.9, 0.4));
-        let solid = vec![
-            Vector3::new(1.0, 0.0, 0.2),
-            Vector3::new(-0.3, 1.0, 0.0),
-            Vector3::new(0.0, -0.4, 1.0),
-            Vector3::new(-0.7, -0.6, -1.2),
-        ];
-        let plate: Vec<_> = solid.iter().map(|p| Vector3::new(p.x, p.y, 0.0)).collect();
-        for points in [solid, plate] {
-            let turned: Vec<_> = points.iter().map(|p| rotation * p).collect();
-            assert!(angle_between(&best_fit(&points, &turned, &[1.0, 2.0, 0.5, 1.5]), &rotation) < 1e-14);
-        }
-        let rod = [Vector3::new(1.0, 2.0, -1.0), Vector3::new(-0.5, -1.0, 0.5)];
-        let turned = rod.map(|p| rotation * p);
-        let found = best_fit(&rod, &turned, &[1.0, 2.0]);
-        assert!((found * rod[0] - turned[0]).norm() < 1e-14);
-    }
-}
+mod tests;

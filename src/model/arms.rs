@@ -1,0 +1,209 @@
+//! The arms of mass points, coordinate by coordinate, so that eight points are turned and summed at a time.
+//!
+//! (1)  X̃ ← X̃ + (R − E) X̃                                   every arm
+//! (2)  Σ M x²  and  Σ M x y, …  of the turned arms           what I = Σ M (|X̃|² E − X̃ X̃ᵀ) is made of
+//!
+//! in one pass. Sums run in eight parts, whatever the width of the registers, and the parts are put together in one order:
+//! every machine gives the same numbers. The columns are filled up with points without mass.
+
+use nalgebra::{Matrix3, Vector3};
+use pulp::Simd;
+
+use super::forces::Arms;
+use crate::number::{Eighths, Lanes, Registers};
+use crate::rotation::formulas;
+
+/// Parts of a sum.
+const PARTS: usize = 8;
+
+/// Arms [m], one column a coordinate; a multiple of eight long.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Columns {
+    x: Vec<f64>,
+    y: Vec<f64>,
+    z: Vec<f64>,
+}
+
+/// A column filled up with zeros to a multiple of eight.
+pub(super) fn filled(mut column: Vec<f64>) -> Vec<f64> {
+    column.resize(column.len().next_multiple_of(PARTS), 0.0);
+    column
+}
+
+impl Columns {
+    pub(super) fn new(arms: &[Vector3<f64>]) -> Columns {
+        let column = |i: usize| filled(arms.iter().map(|arm| arm[i]).collect());
+        Columns { x: column(0), y: column(1), z: column(2) }
+    }
+
+    pub(super) fn at(&self, k: usize) -> Vector3<f64> {
+        Vector3::new(self.x[k], self.y[k], self.z[k])
+    }
+
+    pub(super) fn set(&mut self, k: usize, arm: &Vector3<f64>) {
+        (self.x[k], self.y[k], self.z[k]) = (arm.x, arm.y, arm.z);
+    }
+
+    /// How many, with those that fill up.
+    pub(super) fn len(&self) -> usize {
+        self.x.len()
+    }
+
+    pub(super) fn view(&self) -> Arms<'_> {
+        Arms::Columns { x: &self.x, y: &self.y, z: &self.z }
+    }
+
+    pub(super) fn is_finite(&self) -> bool {
+        [&self.x, &self.y, &self.z].into_iter().flatten().all(|x| x.is_finite())
+    }
+}
+
+/// Sums (2): squares, then products yz, zx, xy.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Sums {
+    squares: Vector3<f64>,
+    products: Vector3<f64>,
+}
+
+impl Sums {
+    /// Of arms as they stand.
+    pub(super) fn of(arms: &Columns, masses: &[f64]) -> Sums {
+        let (mut squares, mut products) = ([Vector3::zeros(); PARTS], [Vector3::zeros(); PARTS]);
+        for (k, mass) in masses.iter().enumerate() {
+            let x: Vector3<f64> = arms.at(k);
+            let weighted = x * *mass;
+            squares[k % PARTS] += weighted.component_mul(&x);
+            products[k % PARTS] += Vector3::new(weighted.y * x.z, weighted.z * x.x, weighted.x * x.y);
+        }
+        let total = |parts: [Vector3<f64>; PARTS], i: usize| together(parts.map(|part| part[i]));
+        let vector = |parts| Vector3::new(total(parts, 0), total(parts, 1), total(parts, 2));
+        Sums { squares: vector(squares), products: vector(products) }
+    }
+
+    /// I [kg m²], world.
+    pub(super) fn inertia(&self) -> Matrix3<f64> {
+        let (s, p) = (&self.squares, &self.products);
+        Matrix3::new(s.y + s.z, -p.z, -p.y, -p.z, s.z + s.x, -p.x, -p.y, -p.x, s.x + s.y)
+    }
+}
+
+/// Eight parts of a sum put together.
+#[inline(always)]
+fn together(p: [f64; PARTS]) -> f64 {
+    ((p[0] + p[4]) + (p[1] + p[5])) + ((p[2] + p[6]) + (p[3] + p[7]))
+}
+
+/// Turns all arms of `from` by (1), with `change` = R − E, and sums them by (2).
+pub(super) fn turn(
+    registers: Registers,
+    change: &[[f64; 3]; 3],
+    from: &Columns,
+    masses: &[f64],
+    into: &mut Columns,
+) -> Sums {
+    registers.by_eights(Turn { change, from, masses, into })
+}
+
+struct Turn<'a> {
+    change: &'a [[f64; 3]; 3],
+    from: &'a Columns,
+    masses: &'a [f64],
+    into: &'a mut Columns,
+}
+
+impl Eighths for Turn<'_> {
+    type Output = Sums;
+
+    #[inline(always)]
+    fn with_registers<S: Simd, const R: usize>(self, simd: S) -> Sums {
+        let x = S::as_simd_f64s(&self.from.x).0;
+        let y = S::as_simd_f64s(&self.from.y).0;
+        let z = S::as_simd_f64s(&self.from.z).0;
+        let x1 = S::as_mut_simd_f64s(&mut self.into.x).0;
+        let y1 = S::as_mut_simd_f64s(&mut self.into.y).0;
+        let z1 = S::as_mut_simd_f64s(&mut self.into.z).0;
+        let masses = S::as_simd_f64s(self.masses).0;
+        let count = masses.len();
+        let [p, q, r] = self.change;
+        let change = [splat::<S, R>(simd, p), splat(simd, q), splat(simd, r)];
+        let zero = Lanes::splat(simd, 0.0);
+        let (mut squares, mut products) = ([zero; 3], [zero; 3]);
+        let mut at = 0;
+        while at < count {
+            let before =
+                [Lanes::take(simd, &x[at..]), Lanes::take(simd, &y[at..]), Lanes::take(simd, &z[at..])];
+            let moved = formulas::apply(&change, before);
+            let [a, b, c] = [before[0] + moved[0], before[1] + moved[1], before[2] + moved[2]];
+            a.put(&mut x1[at..]);
+            b.put(&mut y1[at..]);
+            c.put(&mut z1[at..]);
+            let m = Lanes::take(simd, &masses[at..]);
+            let (ma, mb, mc) = (m * a, m * b, m * c);
+            squares = [squares[0] + ma * a, squares[1] + mb * b, squares[2] + mc * c];
+            products = [products[0] + mb * c, products[1] + mc * a, products[2] + ma * b];
+            at += R;
+        }
+        let [xx, yy, zz] = squares;
+        let [yz, zx, xy] = products;
+        Sums {
+            squares: Vector3::new(total(xx), total(yy), total(zz)),
+            products: Vector3::new(total(yz), total(zx), total(xy)),
+        }
+    }
+}
+
+#[inline(always)]
+fn splat<S: Simd, const R: usize>(simd: S, row: &[f64; 3]) -> [Lanes<S, R>; 3] {
+    [Lanes::splat(simd, row[0]), Lanes::splat(simd, row[1]), Lanes::splat(simd, row[2])]
+}
+
+#[inline(always)]
+fn total<S: Simd, const R: usize>(sum: Lanes<S, R>) -> f64 {
+    let mut parts = [0.0; PARTS];
+    sum.store(&mut parts);
+    together(parts)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::body::second_moment_inertia;
+    use crate::rotation;
+
+    #[test]
+    fn registers_of_every_width_turn_and_sum_points_as_plain_loops_do() {
+        let spin = Vector3::new(0.3, -0.9, 0.4);
+        let change = rotation::change_of_turn(&spin, 0.5);
+        let plain = rotation::turn(&(spin * 0.5)).to_rotation_matrix().into_inner();
+        for count in [1, 4, 7, 8, 9, 100] {
+            let point = |k: usize| {
+                let part = k as f64;
+                Vector3::new((0.7 * part).cos(), 0.5 * (0.3 * part).sin(), 0.02 * part - 1.0)
+            };
+            let arms: Vec<_> = (0..count).map(point).collect();
+            let masses: Vec<f64> = (0..count).map(|k| 1.0 + 0.1 * k as f64).collect();
+            let from = Columns::new(&arms);
+            let mut results = Registers::all().into_iter().map(|registers| {
+                let mut into = from.clone();
+                let sums = turn(registers, &change, &from, &filled(masses.clone()), &mut into);
+                (into, sums)
+            });
+            let first = results.next().expect("one number a register");
+            assert!(results.len() > 0 || !cfg!(target_arch = "x86_64"));
+            for other in results {
+                assert_eq!(first, other, "{count} points");
+            }
+            let (into, sums) = first;
+            assert_eq!(sums, Sums::of(&into, &masses), "{count} points");
+            let turned: Vec<_> = arms.iter().map(|arm| plain * arm).collect();
+            let inertia: Matrix3<f64> =
+                turned.iter().zip(&masses).map(|(x, m)| second_moment_inertia(x) * *m).sum();
+            // A point rounds a few times; a sum of n once for every term.
+            for (k, x) in turned.iter().enumerate() {
+                assert!((into.at(k) - x).amax() < 4.0 * f64::EPSILON * x.norm());
+            }
+            let bound = f64::EPSILON * (8.0 + count as f64) * inertia.trace();
+            assert!((sums.inertia() - inertia).amax() < bound, "{count} points");
+        }
+    }
+}

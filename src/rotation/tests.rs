@@ -1,0 +1,190 @@
+//! The conventions, and the quick forms beside the plain ones.
+
+use super::*;
+use std::f64::consts::PI;
+
+#[test]
+fn a_turn_is_a_rotation_for_tiny_huge_and_no_angles() {
+    for exponent in [-320, -200, -160, -30, -8, -3, 0, 3, 8, 15, 160, 300] {
+        let v = Vector3::new(1.0, -2.0, 0.5) * 10f64.powi(exponent);
+        let rotation = turn(&v);
+        assert!((rotation.norm() - 1.0).abs() < 4.0 * f64::EPSILON, "exponent {exponent}");
+    }
+    assert_eq!(turn(&Vector3::zeros()), Rotation::identity());
+}
+
+#[test]
+fn a_line_of_points_is_fitted_to_rounding_at_every_angle() {
+    let line = [Vector3::new(0.3, -0.2, 0.5), Vector3::new(-0.6, 0.4, -1.0)];
+    for angle in [0.0, 1e-12, 1e-8, 1e-3, 1.0, 3.0, PI] {
+        let turned = line
+            .map(|x| turn(&(Vector3::new(0.0, 0.928_476_690_885_259, 0.371_390_676_354_103_7) * angle)) * x);
+        let fitted = best_fit(&line, &turned, &[1.0, 2.0]);
+        let apart = angle_between_directions(&(fitted * line[0]), &turned[0]);
+        // 1 + cos θ is rounded by u, and so the angle by u over cos θ/2; at π any half turn will do.
+        let bound = 8.0 * f64::EPSILON / (angle / 2.0).cos().max(1e-7);
+        assert!(apart < bound, "angle {angle}: {apart:e}");
+    }
+}
+
+#[test]
+fn a_turn_agrees_with_rodrigues_formula() {
+    for angle in [1e-9, 1e-3, 0.5, 2.0, PI, 4.0, 100.0] {
+        let axis = Vector3::new(2.0, -1.0, 2.0) / 3.0;
+        let p = Vector3::new(0.3, 0.7, -1.1);
+        let rodrigues = p * f64::cos(angle)
+            + axis.cross(&p) * f64::sin(angle)
+            + axis * axis.dot(&p) * (1.0 - f64::cos(angle));
+        // Two evaluations of trigonometric functions of an angle that is itself rounded: a few u (1 + angle).
+        let error = (turn(&(axis * angle)) * p - rodrigues).norm();
+        assert!(error < 4.0 * f64::EPSILON * (1.0 + angle), "angle {angle}: {error:e}");
+    }
+}
+
+#[test]
+fn the_quick_turn_is_the_plain_one_for_tiny_and_huge_angles() {
+    let from = turn(&Vector3::new(0.4, -1.1, 0.7));
+    let direction = Vector3::new(2.0, -1.0, 2.0) / 3.0;
+    for exponent in -300..=15 {
+        for digits in [1.0, 2.7, 3.3, 9.99] {
+            let angle = digits * 10f64.powi(exponent);
+            for (spin, s) in [(direction * angle, 1.0), (direction, angle), (direction * -angle, 0.25)] {
+                let plain = renormalized(turn(&(spin * s)) * from);
+                let quick = turned(&from, &spin, s);
+                // Two products of quaternions, four parts of up to 1 each: measured 3.4e-16. Beyond a radian the
+                // angle itself is rounded, to u of it, in its own way.
+                let apart = (quick.into_inner() - plain.into_inner()).norm();
+                let bound =
+                    3.0 * f64::EPSILON * (1.0 + if angle * s.abs() > 1.0 { angle * s.abs() } else { 0.0 });
+                assert!(apart < bound, "angle {angle:e} × {s}: {apart:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_quick_turn_tells_small_angles_and_more_than_half_a_turn() {
+    let unit = Rotation::identity();
+    for angle in [1e-12, 1e-5, 9e-4, 0.999, 1.001, 3.0] {
+        let quick = turned(&unit, &Vector3::new(0.0, angle, 0.0), 1.0);
+        assert!((vector_of(&quick).y - angle).abs() <= 2.0 * f64::EPSILON * angle, "{angle}");
+    }
+    // Half a turn and a quarter more is a quarter turn short of a whole one, the other way.
+    let quick = turned(&unit, &Vector3::new(0.0, 0.0, 1.5 * PI), 1.0);
+    assert!((vector_of(&quick).z + 0.5 * PI).abs() < 1e-15);
+    assert_eq!(turned(&unit, &Vector3::zeros(), 1.0), unit);
+    assert!(turned(&unit, &Vector3::x(), f64::INFINITY).w.is_nan());
+}
+
+#[test]
+fn a_million_quick_turns_keep_the_length() {
+    let mut q = turn(&Vector3::new(0.4, -1.1, 0.7));
+    let mut worst = 0.0f64;
+    for _ in 0..1_000_000 {
+        q = turned(&q, &Vector3::new(0.3, -0.2, 0.9), 0.01);
+        worst = worst.max((q.norm_squared() - 1.0).abs());
+    }
+    // One turn's rounding, not that of all: measured 4.4e-16.
+    assert!(worst < 6.0 * f64::EPSILON && worst > 0.0, "{worst:e}");
+}
+
+#[test]
+fn the_matrix_and_the_spin_of_the_formulas_are_the_plain_ones() {
+    let momentum = Vector3::new(0.7, -2.0, 1.1);
+    for k in 0..100 {
+        let rotation = turn(&(Vector3::new(0.31, -0.17, 0.43) * f64::from(k)));
+        let plain = rotation.to_rotation_matrix().into_inner();
+        assert!((axes(&rotation) - plain).amax() < 4.0 * f64::EPSILON);
+        for inverse in [Vector3::new(1.0, 0.5, 0.25), Vector3::new(0.0, 2.0, 2.0), Vector3::repeat(0.3)] {
+            let columns = formulas::outer_columns([rotation.w, rotation.i, rotation.j, rotation.k]);
+            let quick: Vector3<f64> = formulas::spin(&columns, inverse.into(), momentum.into()).into();
+            let spin = plain * plain.tr_mul(&momentum).component_mul(&inverse);
+            // Two products with a matrix whose entries are good to 4 u.
+            let bound = 8.0 * f64::EPSILON * momentum.norm() * inverse.amax();
+            assert!((quick - spin).amax() < bound, "{inverse:?}");
+        }
+        // On a sphere Ω is L over the moment, without rounding of the attitude.
+        let columns = formulas::outer_columns([rotation.w, rotation.i, rotation.j, rotation.k]);
+        assert_eq!(Vector3::from(formulas::spin(&columns, [0.3; 3], momentum.into())), momentum * 0.3);
+    }
+}
+
+#[test]
+fn the_logarithm_undoes_the_exponential_below_a_half_turn() {
+    for angle in [1e-300, 1e-12, 1e-4, 1.0, 3.0, 3.1] {
+        let v = Vector3::new(-1.0, 2.0, 2.0) / 3.0 * angle;
+        assert!((vector_of(&turn(&v)) - v).norm() <= 4e-15 * angle, "angle {angle}");
+    }
+}
+
+#[test]
+fn an_angle_of_1e_minus_12_is_seen() {
+    let a = turn(&Vector3::new(0.4, 0.1, -0.9));
+    let b = a * turn(&Vector3::new(0.0, 1e-12, 0.0));
+    assert!((angle_between(&a, &b) - 1e-12).abs() < 3e-16);
+}
+
+#[test]
+fn the_best_fit_finds_the_rotation_of_solids_plates_and_rods() {
+    let rotation = turn(&Vector3::new(0.7, -1.9, 0.4));
+    let solid = vec![
+        Vector3::new(1.0, 0.0, 0.2),
+        Vector3::new(-0.3, 1.0, 0.0),
+        Vector3::new(0.0, -0.4, 1.0),
+        Vector3::new(-0.7, -0.6, -1.2),
+    ];
+    let plate: Vec<_> = solid.iter().map(|p| Vector3::new(p.x, p.y, 0.0)).collect();
+    for points in [solid, plate] {
+        let turned: Vec<_> = points.iter().map(|p| rotation * p).collect();
+        assert!(angle_between(&best_fit(&points, &turned, &[1.0, 2.0, 0.5, 1.5]), &rotation) < 1e-14);
+    }
+    let rod = [Vector3::new(1.0, 2.0, -1.0), Vector3::new(-0.5, -1.0, 0.5)];
+    let turned = rod.map(|p| rotation * p);
+    let found = best_fit(&rod, &turned, &[1.0, 2.0]);
+    assert!((found * rod[0] - turned[0]).norm() < 1e-14);
+}
+
+#[test]
+fn the_change_of_a_turn_is_its_matrix_less_the_unit_matrix() {
+    for angle in [0.0, 1e-200, 1e-9, 0.3, 0.999, 1.001, 3.0, 1e3] {
+        let spin = Vector3::new(2.0, -1.0, 2.0) / 3.0;
+        let rows = change_of_turn(&spin, angle);
+        let plain = turn(&(spin * angle)).to_rotation_matrix().into_inner() - Matrix3::identity();
+        for (i, row) in rows.iter().enumerate() {
+            for (j, entry) in row.iter().enumerate() {
+                let bound = 4.0 * f64::EPSILON * (1.0 + if angle > 1.0 { angle } else { 0.0 });
+                assert!((entry - plain[(i, j)]).abs() <= bound, "angle {angle}, entry {i} {j}");
+            }
+        }
+        // Off the diagonal a small turn keeps its digits, which the difference of two matrices does not have.
+        assert!((rows[0][1] + spin.z * angle).abs() <= angle * angle + 1e-15 * angle, "{angle}");
+    }
+}
+
+#[test]
+fn a_quaternion_near_the_unit_sphere_is_put_on_it_without_a_root() {
+    let q = turn(&Vector3::new(0.4, -1.1, 0.7)).into_inner();
+    for stretch in [-0.3, -1e-3, -4e-7, -1e-12, 0.0, 3e-16, 2e-9, 4e-7, 1e-2, 5.0] {
+        let long = q * (1.0 + stretch);
+        let apart = (unit(&long).into_inner() - long / long.norm()).norm();
+        assert!(apart < 2.0 * f64::EPSILON, "{stretch}: {apart:e}");
+    }
+}
+
+#[test]
+fn the_spin_of_a_quaternion_of_any_length_is_that_of_its_direction() {
+    let momentum = Vector3::new(0.7, -2.0, 1.1);
+    let inverse = Vector3::new(1.0, 0.5, 0.25);
+    for k in 1..50 {
+        let rotation = turn(&(Vector3::new(0.31, -0.17, 0.43) * f64::from(k)));
+        let columns = formulas::outer_columns([rotation.w, rotation.i, rotation.j, rotation.k]);
+        let spin = Vector3::from(formulas::spin(&columns, inverse.into(), momentum.into()));
+        let q = rotation.into_inner() * (0.7 + 0.1 * f64::from(k));
+        let (found, moved) = formulas::spin_at([q.w, q.i, q.j, q.k], 0.05, inverse.into(), momentum.into());
+        let bound = 8.0 * f64::EPSILON * momentum.norm();
+        assert!((Vector3::from(found) - spin).amax() < bound);
+        let rate = rate_of(&spin, &q) * 0.1;
+        let moved = Quaternion::new(moved[0], moved[1], moved[2], moved[3]);
+        assert!((moved - rate).norm() < bound * 0.1 * q.norm());
+    }
+}
