@@ -2,12 +2,12 @@
 //!
 //! | form | what moves | functions |
 //! |---|---|---|
-//! | [`lagrange_top`] | a symmetric body under gravity, on a pivot on its axis | Jacobi's, third-kind integrals |
-//! | [`translation`] | a centre of mass under uniform gravity, or a point on linear springs with drag | parabola, exponentials |
-//! | [`rod`], [`sphere`] | spin about a fixed axis | sine, cosine |
-//! | [`symmetric`] | two equal moments: two steady rotations | sine, cosine |
-//! | [`separatrix`] | exactly on the separatrix | tanh, sech, arctan |
-//! | [`asymmetric`] | any other free body, near the separatrix too | Jacobi's, third-kind integrals |
+//! | `lagrange_top` | a symmetric body under gravity, on a pivot on its axis | Jacobi's, third-kind integrals |
+//! | `translation` | a centre of mass under uniform gravity, or a point on linear springs with drag | parabola, exponentials |
+//! | `rod`, `sphere` | spin about a fixed axis | sine, cosine |
+//! | `symmetric` | two equal moments: two steady rotations | sine, cosine |
+//! | `separatrix` | exactly on the separatrix | tanh, sech, arctan |
+//! | `asymmetric` | any other free body, near the separatrix too | Jacobi's, third-kind integrals |
 //!
 //! A free or falling body is a translation and a rotation that do not see each other. All are evaluated in f64: the
 //! error is a few rounding units times 1 + |Ω| t, times what the motion makes of a rounding. How much that is, is
