@@ -7,8 +7,9 @@ use polhode::scenes;
 use polhode::simulate::Contestant;
 
 #[test]
-fn points_and_the_least_model_agree_to_1e_minus_12_after_a_thousand_steps_in_every_scene() {
-    for scene in scenes::built_in() {
+fn points_and_the_least_model_agree_to_1e_minus_12_after_a_thousand_steps_in_every_judged_scene() {
+    // Where no claim is judged, the reason is a motion that multiplies roundings a millionfold.
+    for scene in scenes::built_in().into_iter().filter(|scene| scene.only_for_stability.is_none()) {
         let reference = Reference::of(&scene.system, scene.duration, 4, None).expect("a reference");
         let fastest =
             reference.states.iter().map(|s| rotation::length(&s.angular_velocity)).fold(0.0, f64::max);
