@@ -29,12 +29,24 @@ pub struct PointCloud {
 }
 
 /// State of the points.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct PointState {
     arms: Vec<Vector3<f64>>,
     position: Vector3<f64>,
     velocity: Vector3<f64>,
     momentum: Vector3<f64>,
+}
+
+impl Clone for PointState {
+    fn clone(&self) -> PointState {
+        PointState { arms: self.arms.clone(), ..*self }
+    }
+
+    /// Into the buffer that is there: a derived one would allocate another.
+    fn clone_from(&mut self, other: &PointState) {
+        self.arms.clone_from(&other.arms);
+        (self.position, self.velocity, self.momentum) = (other.position, other.velocity, other.momentum);
+    }
 }
 
 impl PointState {
