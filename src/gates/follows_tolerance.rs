@@ -11,6 +11,9 @@ use crate::regression;
 
 /// The band of the slope.
 const BAND: (f64, f64) = (0.5, 1.5);
+/// What leaves a slope open.
+const SCATTERED: &str =
+    "; whole steps between the stored times, few as they are, jump in number and scatter the errors";
 
 pub(super) fn judge(case: &Case, power: u32) -> Vec<Verdict> {
     let asked = case.evidence.ladders.iter().filter(|ladder| metrics::judged_by_tolerance(ladder));
@@ -61,13 +64,14 @@ fn judge_ladder(case: &Case, ladder: &QuantityLadder, power: u32) -> Verdict {
         ..rule(
             verdict,
             format!(
-                "error ∝ tolerance^{:.2} [{:.2}, {:.2}] over {} tolerances, band {} … {}",
+                "error ∝ tolerance^{:.2} [{:.2}, {:.2}] over {} tolerances, band {} … {}{}",
                 fit.slope,
                 fit.low,
                 fit.high,
                 clear.len(),
                 BAND.0,
-                BAND.1
+                BAND.1,
+                if verdict == Ruling::Inconclusive { SCATTERED } else { "" }
             ),
         )
     }
