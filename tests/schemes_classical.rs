@@ -1,13 +1,11 @@
-//! Engines' rules, classical, Lie-group and implicit schemes: their orders, published and known errors, and single
-//! steps against another formulation.
+//! Engines' rules, classical, Lie-group and implicit schemes: published and known errors, the power of h in the error of a step,
+//! energy over long runs, reversal.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Matrix3;
 use polhode::claim::{Claim, Quantity};
-use polhode::metrics::{Place, climb};
 use polhode::model::Snapshot;
-use polhode::reference::{Reference, dop853, stored};
-use polhode::regression::Ladder;
-use polhode::rotation::{self, Rotation};
+use polhode::reference::{Reference, dop853};
+use polhode::rotation;
 use polhode::scenes::Scene;
 use polhode::simulate::{Contestant, Form, Plan};
 
@@ -60,41 +58,6 @@ fn top_error(name: &str, steps_a_second: u64) -> f64 {
 }
 
 #[test]
-fn every_scheme_has_its_order_on_generic_scenes_with_torque() {
-    const SCENES: [&str; 5] =
-        ["heavy-asymmetric-top", "kovalevskaya", "gravity-drag", "tether-springs", "charged-body-in-fields"];
-    let mut read = [0; SCHEMES.len()];
-    for name in SCENES {
-        let scene = scene(name);
-        let stored = stored::find(name).expect("stored solutions are whole");
-        let reference =
-            Reference::of(&scene.system, scene.duration, 64, stored.as_ref()).expect("a reference");
-        for (count, (scheme_name, order)) in read.iter_mut().zip(SCHEMES) {
-            let contestant = scheme(scheme_name);
-            // Six halvings from 0.4 rad a step on leave too little above rounding for order six: a test of its own.
-            if order == 6 || contestant.refusal(&scene.system).is_some() {
-                continue;
-            }
-            let evidence = climb(&contestant, &scene.system, &reference, order, true);
-            let orientation = evidence
-                .ladders
-                .iter()
-                .find(|l| l.quantity == Quantity::Orientation && l.place == Place::Max)
-                .expect("a ladder of the orientation");
-            let fit = orientation.fit();
-            assert!(!matches!(orientation.ladder, Ladder::Broken), "{scheme_name} broke on {name}");
-            if let Some(fit) = fit {
-                assert!((fit.slope - f64::from(order)).abs() < 0.15, "{scheme_name}, {name}: {fit:?}");
-                *count += 1;
-            }
-        }
-    }
-    for (count, (name, order)) in read.iter().zip(SCHEMES) {
-        assert!(order == 6 || *count >= 3, "{name}: an order on {count} scenes only");
-    }
-}
-
-#[test]
 fn the_cards_claim_the_orders_that_are_measured() {
     for (name, order) in SCHEMES {
         assert_eq!(scheme(name).card.order(), order, "{name}");
@@ -113,8 +76,9 @@ fn errors_on_the_heavy_asymmetric_top_are_the_known_ones() {
         ("semi-implicit-euler-no-gyro", 128, 1.3, 1.1),
         ("semi-implicit-euler-explicit-gyro", 128, 5e-2, 1.1),
         ("semi-implicit-euler-implicit-gyro", 128, 5e-2, 1.1),
-        // Same computation in another language: forces at q/|q| and L kept. Ω about body axes and forces at the
-        // quaternion as it stands give 1.2e-6 there.
+        // Same computation in another language: forces at q/|q| and L in world axes. 1.2e-6 is known of another variant: Ω about
+        // body axes gives 3.9e-7 with forces at q/|q| and 8.1e-7 or 8.5e-7 with the matrix of q as it stands, L in world axes
+        // with that matrix 1.6e-6; none of six gives 1.2e-6.
         ("rk4-quaternion", 32, 3.0e-7, 1.05),
         ("krysl-liemid", 128, 1.94e-5, 1.05),
     ] {
@@ -184,75 +148,6 @@ fn energy_of_the_heavy_top_over_2000_seconds_stays_bounded_grows_or_falls_as_kno
             "gauss-legendre-6" => assert!(largest < 1e-12, "{largest:e}"),
             _ => {}
         }
-    }
-}
-
-/// Moments, centre and gravity of the heavy asymmetric top, for the formulas in matrices below.
-fn top_torque(r: &Matrix3<f64>) -> Vector3<f64> {
-    (r * Vector3::new(0.25, 0.0, 1.0)).cross(&Vector3::new(-0.75, 0.0, -1.0))
-}
-
-/// exp of a matrix by its series for angles below 1: shares nothing with the quaternions.
-fn exponential(v: &Vector3<f64>) -> Matrix3<f64> {
-    (1..=24)
-        .rev()
-        .fold(Matrix3::identity(), |sum, k| Matrix3::identity() + v.cross_matrix() * sum / f64::from(k))
-}
-
-fn cayley(v: &Vector3<f64>) -> Matrix3<f64> {
-    let half = v.cross_matrix() / 2.0;
-    (Matrix3::identity() - half).try_inverse().expect("always") * (Matrix3::identity() + half)
-}
-
-#[test]
-fn one_step_satisfies_its_defining_equations_in_matrices() {
-    let top = scene("heavy-asymmetric-top");
-    let inertia = Matrix3::from_diagonal(&Vector3::new(2.0, 2.5, 1.25));
-    let inverse = inertia.try_inverse().expect("regular");
-    let (h, r0, l0) = (0.125, Matrix3::identity(), Vector3::new(0.5, 0.25, 3.0));
-    let step = |name: &str| {
-        let end = end_of(&scheme(name), &top, h, 1);
-        (matrix(&end), end.angular_momentum)
-    };
-    // A dozen roundings of numbers of size three, and those of the last iterate.
-    let close = |name: &str, (r, l): (Matrix3<f64>, Vector3<f64>), found: (Matrix3<f64>, Vector3<f64>)| {
-        let error = (r - found.0).amax().max((l - found.1).amax());
-        assert!(error < 1e-14, "{name}: {error:e}");
-    };
-    let turned = |r: &Matrix3<f64>| r * inertia * r.transpose();
-    let w0 = inverse * l0;
-    let t0 = top_torque(&r0);
-
-    let (r, l) = step("simo-wong");
-    let w1 = inverse * r.transpose() * l;
-    let expected = (r0 * exponential(&((w0 + w1) * (h / 2.0))), l0 + (t0 + top_torque(&r)) * (h / 2.0));
-    close("simo-wong", expected, (r, l));
-
-    let (r, l) = step("implicit-midpoint");
-    let middle = (l0 + r.transpose() * l) / 2.0;
-    let w = inverse * middle;
-    let angle = 2.0 * (h * w.norm() / 2.0).atan();
-    let halfway = exponential(&(w / w.norm() * (angle / 2.0)));
-    let m1 = l0 + (middle.cross(&w) + halfway.transpose() * top_torque(&halfway)) * h;
-    close("implicit-midpoint", (cayley(&(w * h)), r * m1), (r, l));
-
-    let (r, l) = step("lie-verlet");
-    // tan(θ/2) = h |ω| / 2 along the axis of R₁.
-    let vector = rotation::vector_of(&Rotation::from_matrix(&r));
-    let w = vector / vector.norm() * (2.0 / h * (vector.norm() / 2.0).tan());
-    let own = inertia * w;
-    let early = own + w.cross(&own) * (h / 2.0) + w * (w.dot(&own) * h * h / 4.0);
-    let late = own - w.cross(&own) * (h / 2.0) + w * (w.dot(&own) * h * h / 4.0);
-    assert!((early - (l0 + t0 * (h / 2.0))).amax() < 1e-13, "lie-verlet: {early:?}");
-    assert!((r * late + top_torque(&r) * (h / 2.0) - l).amax() < 1e-13, "lie-verlet: {l:?}");
-
-    for (name, spin) in [
-        ("semi-implicit-euler-no-gyro", w0 + inverse * t0 * h),
-        ("semi-implicit-euler-explicit-gyro", w0 + inverse * (t0 - w0.cross(&l0)) * h),
-    ] {
-        // The linear quaternion update over its length turns by 2 atan(h |ω| / 2): it is Cayley's map.
-        let r = cayley(&(spin * h));
-        close(name, (r, turned(&r) * spin), step(name));
     }
 }
 

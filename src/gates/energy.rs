@@ -102,8 +102,27 @@ fn judge_rate(case: &Case, drift: &EnergyDrift, rate_order: u32, grows: bool) ->
             ruled(case, "energy", name, Ruling::Fail, format!("grows without bound; {rate}"))
         }
         (class, _) => {
-            let detail = format!("{}: no order of the rate in h can be read; {rate}", class.word());
+            let why = why_no_order(drift);
+            let detail =
+                format!("{}: no order of the rate in h can be read, since {why}; {rate}", class.word());
             ruled(case, "energy", name, Ruling::Inconclusive, detail)
         }
+    }
+}
+
+/// What keeps the rates of a ladder from having an order.
+fn why_no_order(drift: &EnergyDrift) -> String {
+    let finest = &drift.rungs[drift.rungs.len() - 1];
+    let floor = finest.rounding / (finest.step * finest.steps as f64);
+    let at = format!("at h = {:.1e} s, the smallest step that the long runs can afford,", finest.step);
+    if finest.rate.abs() <= 10.0 * floor {
+        format!("{at} it is {:.1e} 1/s, and rounding alone leaves {floor:.1e}", finest.rate.abs())
+    } else if finest.rate.abs() <= 3.0 * finest.uncertainty {
+        format!("{at} it is {:.1e} ± {:.1e} 1/s: not told from zero", finest.rate, finest.uncertainty)
+    } else {
+        format!(
+            "{at} it is {:.2e} ± {:.1e} 1/s, and too few rates before it are steady",
+            finest.rate, finest.uncertainty
+        )
     }
 }

@@ -5,37 +5,19 @@
 //! tolerance must lie between one half and three halves; an interval that reaches into the band from outside decides nothing.
 
 use super::{Case, ruled};
-use crate::metrics::{Place, QuantityLadder};
-use crate::model::Quantity;
+use crate::metrics::{self, FEWEST_TOLERANCES, QuantityLadder};
 use crate::record::{Ruling, Verdict};
 use crate::regression;
 
 /// The band of the slope.
 const BAND: (f64, f64) = (0.5, 1.5);
-/// Fewest clear rungs.
-const FEWEST: usize = 4;
-/// Evaluations at a tolerance over those at the next larger one, where tolerances rule.
-const MORE_WORK: f64 = 1.1;
-/// An error of this part of the body's size or of a radian is no convergence yet.
-const COARSE: f64 = 0.3;
+/// What leaves a slope open.
+const SCATTERED: &str =
+    "; whole steps between the stored times, few as they are, jump in number and scatter the errors";
 
 pub(super) fn judge(case: &Case, power: u32) -> Vec<Verdict> {
-    let asked = [Quantity::Position, Quantity::Orientation, Quantity::BodyPoint];
-    case.evidence
-        .ladders
-        .iter()
-        .filter(|ladder| ladder.place == Place::End && asked.contains(&ladder.quantity))
-        .map(|ladder| judge_ladder(case, ladder, power))
-        .collect()
-}
-
-/// Whether the tolerance of a rung rules the steps, and not the stored times that cut them: the next smaller one makes more work.
-fn governs(case: &Case, index: usize) -> bool {
-    let work = |rung: usize| case.evidence.rungs.get(rung).map(|rung| rung.outcome.evaluations as f64);
-    match (work(index), work(index + 1)) {
-        (Some(own), Some(next)) => next >= MORE_WORK * own,
-        _ => true,
-    }
+    let asked = case.evidence.ladders.iter().filter(|ladder| metrics::judged_by_tolerance(ladder));
+    asked.map(|ladder| judge_ladder(case, ladder, power)).collect()
 }
 
 fn judge_ladder(case: &Case, ladder: &QuantityLadder, power: u32) -> Verdict {
@@ -48,16 +30,8 @@ fn judge_ladder(case: &Case, ladder: &QuantityLadder, power: u32) -> Verdict {
         let why = case.evidence.rungs.last().and_then(|rung| rung.outcome.broken.as_ref());
         return rule(Ruling::Broken, why.map_or("no finite error".to_owned(), ToString::to_string));
     }
-    let scale = if ladder.quantity == Quantity::Orientation { 1.0 } else { case.system.body.extent() };
-    let clear: Vec<(f64, f64)> = ladder
-        .rungs
-        .iter()
-        .enumerate()
-        .filter(|(index, (_, error, floor))| {
-            *error > 10.0 * floor && *error < COARSE * scale && governs(case, *index)
-        })
-        .map(|(_, (step, error, _))| (step.powi(power as i32), *error))
-        .collect();
+    let governed = metrics::governed(case.evidence, ladder, case.system, power);
+    let clear = &governed.rungs;
     let at_floor = ladder.rungs.iter().all(|(_, error, floor)| *error <= 10.0 * floor);
     if at_floor {
         return rule(
@@ -65,11 +39,14 @@ fn judge_ladder(case: &Case, ladder: &QuantityLadder, power: u32) -> Verdict {
             "at the floor of rounding and reference at every tolerance".to_owned(),
         );
     }
-    let Some(fit) = (clear.len() >= FEWEST).then(|| regression::fit_power(&clear)).flatten() else {
+    let Some(fit) = (clear.len() >= FEWEST_TOLERANCES).then(|| regression::fit_power(clear)).flatten() else {
         let detail = format!(
-            "{} of {} tolerances rule the steps and leave an error between the floor ({floor:.1e}) and the size of the motion; a slope needs {FEWEST}",
+            "{} of {} tolerances say how the error follows, and a slope needs {FEWEST_TOLERANCES}: the others leave an error as large as the motion ({}), at its floor of {floor:.1e} ({}), or the steps to the stored times and the solver's first guess ({})",
             clear.len(),
-            ladder.rungs.len()
+            ladder.rungs.len(),
+            governed.coarse,
+            governed.at_floor,
+            governed.ruled_otherwise,
         );
         return rule(Ruling::Inconclusive, detail);
     };
@@ -87,13 +64,14 @@ fn judge_ladder(case: &Case, ladder: &QuantityLadder, power: u32) -> Verdict {
         ..rule(
             verdict,
             format!(
-                "error ∝ tolerance^{:.2} [{:.2}, {:.2}] over {} tolerances, band {} … {}",
+                "error ∝ tolerance^{:.2} [{:.2}, {:.2}] over {} tolerances, band {} … {}{}",
                 fit.slope,
                 fit.low,
                 fit.high,
                 clear.len(),
                 BAND.0,
-                BAND.1
+                BAND.1,
+                if verdict == Ruling::Inconclusive { SCATTERED } else { "" }
             ),
         )
     }

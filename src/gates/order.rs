@@ -2,7 +2,7 @@
 //! one on record.
 
 use super::{Case, promised_exact, ruled};
-use crate::metrics::{BAND, QuantityLadder};
+use crate::metrics::{APART, BAND, QuantityLadder};
 use crate::model::Quantity;
 use crate::model::body::Shape;
 use crate::record::{Ruling, Verdict};
@@ -12,8 +12,6 @@ use crate::regression::{Fit, Ladder};
 const CONSTANT_CHANGE: f64 = 0.05;
 /// Error over its floor that cannot have been overlooked.
 const LARGE: f64 = 1e3;
-/// Change by the last halving over the error, below which a run may have come to another motion.
-const APART: f64 = 0.2;
 
 pub(super) fn judge(case: &Case, order: u32) -> Vec<Verdict> {
     if let Some(reason) = case.not_for_order {

@@ -28,11 +28,11 @@ const PERIODS: f64 = 16.0;
 const LONGEST: f64 = 4000.0;
 /// Successive runs without a rate that settle that there is none.
 const FLAT: usize = 3;
-/// Most steps of all runs together, where the scheme promises a steady growth of its energy, …
+/// Most steps of all runs together, where the scheme promises an order of the rate, …
 const MOST_STEPS: u64 = 4_000_000;
-/// … where it promises something else about it …
+/// … where it promises something else about its energy …
 const MOST_STEPS_OTHERWISE: u64 = 1_000_000;
-/// … and where it makes none.
+/// … and where it promises nothing.
 const MOST_STEPS_UNASKED: u64 = 100_000;
 /// Samples of a run.
 const SAMPLES: u64 = 512;
@@ -130,7 +130,7 @@ pub fn energy_drift(contestant: &Contestant, system: &System, duration: f64) -> 
     let claimed =
         contestant.card.claims.iter().find_map(|c| if let Claim::Energy(e) = c { Some(*e) } else { None });
     let most = match claimed {
-        Some(EnergyOfFreeBody::GrowsSecularly { .. }) => MOST_STEPS,
+        Some(EnergyOfFreeBody::GrowsSecularly { .. } | EnergyOfFreeBody::Secular { .. }) => MOST_STEPS,
         Some(_) => MOST_STEPS_OTHERWISE,
         None => MOST_STEPS_UNASKED,
     };

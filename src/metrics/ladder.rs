@@ -1,7 +1,7 @@
 //! A scheme's ladder of steps on a scene: the same run at halved steps, until the orders are settled.
 
 use super::rounding::{floors, of_giant_steps, rounding_growth, roundings};
-use super::{ALL, Reading, Sight, errors};
+use super::{ALL, Reading, Sight, errors, tolerance};
 use crate::model::{Quantity, Snapshot, System, difference};
 use crate::reference::Reference;
 use crate::regression::{self, Fit, Ladder};
@@ -10,6 +10,10 @@ use crate::simulate::{Contestant, Form, Outcome, Plan, Trajectory};
 
 /// Fewest rungs of a ladder.
 const FEWEST_RUNGS: usize = 6;
+/// Further rungs of a ladder that carries no order, while its runs do not tell where they go.
+const MORE_RUNGS: usize = 3;
+/// Change by the last halving over the error, below which a run may have come to another motion.
+pub const APART: f64 = 0.2;
 /// Most rungs of a ladder.
 const MOST_RUNGS: usize = 20;
 /// Radians turned in a step of the coarsest rung, at most.
@@ -168,7 +172,8 @@ impl Evidence {
 /// rounding: √2 times for each order above two. From the fourth on there is a rung between any two halvings, and the
 /// maximum over the run is taken over eight samples.
 ///
-/// Where `settle` is false, as in a scene that carries no order, six rungs are enough.
+/// Where `settle` is false, as in a scene that carries no order, six rungs are enough, or a few more where those do not tell
+/// whether they come to the truth.
 pub fn climb(
     contestant: &Contestant,
     system: &System,
@@ -207,7 +212,9 @@ pub fn climb(
     let halving = if order < HIGH_ORDER { 1 } else { 2 };
     for index in 0..MOST_RUNGS {
         let steps = steps_of_rung(first, index, order);
-        if steps > contestant.most_steps() && index >= FEWEST_RUNGS {
+        // The steps of a solver that chooses its own are its tolerances' names alone.
+        let dear = steps > contestant.most_steps() && contestant.card.tolerance_exponent() == 0;
+        if dear && index >= FEWEST_RUNGS {
             break;
         }
         let floors = floors(system, reference, &growth, roundings(system, steps, turned));
@@ -223,8 +230,14 @@ pub fn climb(
             let last = earlier.len().checked_sub(halving).map(|index| &earlier[index]);
             let of_last = |index: usize| last.and_then(|ladders| ladders.get(index));
             let mut pairs = evidence.ladders.iter().enumerate();
-            // A scheme that claims no order has none to settle.
-            if !settle || order == 0 || pairs.all(|(index, ladder)| settled(ladder, of_last(index), order)) {
+            let power = contestant.card.tolerance_exponent();
+            let done = match settle {
+                _ if power > 0 => tolerance::settled(&evidence, system, power),
+                false => tells_where_it_goes(&evidence.rungs) || index + 1 >= FEWEST_RUNGS + MORE_RUNGS,
+                // A scheme that claims no order has none to settle.
+                true => order == 0 || pairs.all(|(index, ladder)| settled(ladder, of_last(index), order)),
+            };
+            if done {
                 break;
             }
             earlier.push(evidence.ladders.clone());
@@ -246,6 +259,17 @@ fn steps_of_rung(first: u64, index: usize, order: u32) -> u64 {
         return first << index;
     }
     (if index.is_multiple_of(2) { first } else { first / 2 * 3 }) << (index / 2)
+}
+
+/// Whether the last two runs came to their ends, and differ from one another by as much as from the truth or are at its floor.
+fn tells_where_it_goes(rungs: &[Rung]) -> bool {
+    let [.., before, last] = rungs else { return false };
+    let whole = |rung: &Rung| rung.outcome.broken.is_none();
+    let Some(place) = Quantity::ALL.iter().position(|quantity| *quantity == Quantity::BodyPoint) else {
+        return true;
+    };
+    let (error, floor) = (last.errors[place].max, last.floors[place].max);
+    whole(before) && whole(last) && (error <= 10.0 * floor || last.moved[place].max >= APART * error)
 }
 
 /// Whether a finer rung would change nothing: the order holds, the error is at its floor, or the last halving of h has

@@ -15,6 +15,7 @@ mod reversal;
 mod rigidity;
 mod rounding;
 mod symplecticity;
+mod tolerance;
 
 use crate::model::{Quantity, Snapshot, System, difference};
 use crate::reference::Reference;
@@ -22,10 +23,11 @@ use crate::reference::Reference;
 pub use drift::{Class, EnergyDrift, EnergyRung, energy_drift};
 pub use flips::{FlipFinder, FlipRung, Flips, flips, tumbling_axis};
 pub use invariance::{OtherWorld, other_worlds};
-pub use ladder::{BAND, Evidence, Place, QuantityLadder, Rung, climb};
+pub use ladder::{APART, BAND, Evidence, Place, QuantityLadder, Rung, climb};
 pub use points::{PointRun, point_run};
 pub use reversal::{Reversal, reversal};
 pub use symplecticity::{Symplecticity, symplecticity};
+pub use tolerance::{FEWEST_TOLERANCES, Governed, governed, judged_by_tolerance};
 
 /// A run and its reference at the same times.
 pub struct Sight<'a> {

@@ -17,7 +17,7 @@ use crate::rotation::formulas;
 const PARTS: usize = 8;
 
 /// Arms [m], one column a coordinate; a multiple of eight long.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub(super) struct Columns {
     x: Vec<f64>,
     y: Vec<f64>,
@@ -28,6 +28,19 @@ pub(super) struct Columns {
 pub(super) fn filled(mut column: Vec<f64>) -> Vec<f64> {
     column.resize(column.len().next_multiple_of(PARTS), 0.0);
     column
+}
+
+impl Clone for Columns {
+    fn clone(&self) -> Columns {
+        Columns { x: self.x.clone(), y: self.y.clone(), z: self.z.clone() }
+    }
+
+    /// Into the buffers that are there.
+    fn clone_from(&mut self, other: &Columns) {
+        self.x.clone_from(&other.x);
+        self.y.clone_from(&other.y);
+        self.z.clone_from(&other.z);
+    }
 }
 
 impl Columns {

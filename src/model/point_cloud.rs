@@ -35,7 +35,7 @@ pub struct PointCloud {
 }
 
 /// State of the points.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct PointState {
     /// X̃ of every mass point, then of every marker, then of tips [m], world.
     arms: Columns,
@@ -44,6 +44,19 @@ pub struct PointState {
     position: Vector3<f64>,
     velocity: Vector3<f64>,
     momentum: Vector3<f64>,
+}
+
+impl Clone for PointState {
+    fn clone(&self) -> PointState {
+        PointState { arms: self.arms.clone(), ..*self }
+    }
+
+    /// Into the buffer that is there: a derived one would allocate another.
+    fn clone_from(&mut self, other: &PointState) {
+        self.arms.clone_from(&other.arms);
+        (self.sums, self.position, self.velocity, self.momentum) =
+            (other.sums, other.position, other.velocity, other.momentum);
+    }
 }
 
 impl PointCloud {

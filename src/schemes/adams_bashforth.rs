@@ -14,6 +14,11 @@ use super::{PeskinRk4, Scheme, Workspace};
 use crate::model::{Broken, Turning};
 use crate::rotation::Rotation;
 
+/// b of three rates, from the latest to the earliest.
+pub(super) const THREE: [f64; 3] = [23.0 / 12.0, -16.0 / 12.0, 5.0 / 12.0];
+/// b of four rates.
+pub(super) const FOUR: [f64; 4] = [55.0 / 24.0, -59.0 / 24.0, 37.0 / 24.0, -9.0 / 24.0];
+
 /// States of a method with so many weights: those of the start-up scheme and the earlier ones.
 pub(super) const fn states(weights: usize) -> usize {
     PeskinRk4::STATES + weights - 1

@@ -13,9 +13,6 @@ use crate::model::{Broken, Turning};
 #[derive(Clone, Copy, Debug)]
 pub struct AdamsBashforth3;
 
-/// b, from the latest rates to the earliest.
-const WEIGHTS: [f64; 3] = [23.0 / 12.0, -16.0 / 12.0, 5.0 / 12.0];
-
 impl TurningScheme for AdamsBashforth3 {
     const CARD: Card = Card {
         name: "adams-bashforth-3",
@@ -49,6 +46,6 @@ impl TurningScheme for AdamsBashforth3 {
         if adams_bashforth::start::<M, 3>(model, t, h, from, to, work)? {
             return Ok(()); // (0)
         }
-        adams_bashforth::step(&WEIGHTS, model, t, h, from, to, work) // (1), (2)
+        adams_bashforth::step(&adams_bashforth::THREE, model, t, h, from, to, work) // (1), (2)
     }
 }

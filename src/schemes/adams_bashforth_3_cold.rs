@@ -14,9 +14,6 @@ use crate::model::{Broken, Turning};
 #[derive(Clone, Copy, Debug)]
 pub struct AdamsBashforth3Cold;
 
-/// b, from the latest rates to the earliest.
-const WEIGHTS: [f64; 3] = [23.0 / 12.0, -16.0 / 12.0, 5.0 / 12.0];
-
 impl TurningScheme for AdamsBashforth3Cold {
     const CARD: Card = Card {
         name: "adams-bashforth-3-cold",
@@ -48,6 +45,6 @@ impl TurningScheme for AdamsBashforth3Cold {
         to: &mut M::State,
         work: &mut Workspace<M>,
     ) -> Result<(), Broken> {
-        adams_bashforth::step(&WEIGHTS, model, t, h, from, to, work) // (0)–(2)
+        adams_bashforth::step(&adams_bashforth::THREE, model, t, h, from, to, work) // (0)–(2)
     }
 }

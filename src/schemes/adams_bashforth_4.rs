@@ -13,9 +13,6 @@ use crate::model::{Broken, Turning};
 #[derive(Clone, Copy, Debug)]
 pub struct AdamsBashforth4;
 
-/// b, from the latest rates to the earliest.
-const WEIGHTS: [f64; 4] = [55.0 / 24.0, -59.0 / 24.0, 37.0 / 24.0, -9.0 / 24.0];
-
 impl TurningScheme for AdamsBashforth4 {
     const CARD: Card = Card {
         name: "adams-bashforth-4",
@@ -48,6 +45,6 @@ impl TurningScheme for AdamsBashforth4 {
         if adams_bashforth::start::<M, 4>(model, t, h, from, to, work)? {
             return Ok(()); // (0)
         }
-        adams_bashforth::step(&WEIGHTS, model, t, h, from, to, work) // (1), (2)
+        adams_bashforth::step(&adams_bashforth::FOUR, model, t, h, from, to, work) // (1), (2)
     }
 }

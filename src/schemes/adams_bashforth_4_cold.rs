@@ -14,9 +14,6 @@ use crate::model::{Broken, Turning};
 #[derive(Clone, Copy, Debug)]
 pub struct AdamsBashforth4Cold;
 
-/// b, from the latest rates to the earliest.
-const WEIGHTS: [f64; 4] = [55.0 / 24.0, -59.0 / 24.0, 37.0 / 24.0, -9.0 / 24.0];
-
 impl TurningScheme for AdamsBashforth4Cold {
     const CARD: Card = Card {
         name: "adams-bashforth-4-cold",
@@ -48,6 +45,6 @@ impl TurningScheme for AdamsBashforth4Cold {
         to: &mut M::State,
         work: &mut Workspace<M>,
     ) -> Result<(), Broken> {
-        adams_bashforth::step(&WEIGHTS, model, t, h, from, to, work) // (0)–(2)
+        adams_bashforth::step(&adams_bashforth::FOUR, model, t, h, from, to, work) // (0)–(2)
     }
 }

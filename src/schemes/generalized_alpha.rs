@@ -13,11 +13,12 @@
 
 use nalgebra::Vector3;
 
+use super::accelerations::Accelerations;
 use super::iteration::until_settled;
 use super::{Card, TurningScheme, Workspace};
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Motion, Rates, Turning};
-use crate::rotation::{Rotation, renormalized, turn};
+use crate::rotation::{renormalized, turn};
 
 /// The generalised-α method on the rotation group.
 #[derive(Clone, Copy, Debug)]
@@ -29,42 +30,6 @@ const ALPHA_M: f64 = (2.0 * RADIUS - 1.0) / (RADIUS + 1.0); // (4)
 const ALPHA_F: f64 = RADIUS / (RADIUS + 1.0);
 const GAMMA: f64 = 0.5 + ALPHA_F - ALPHA_M;
 const BETA: f64 = 0.25 * (GAMMA + 0.5) * (GAMMA + 0.5);
-
-/// Accelerations of the rotation, body axes [rad/s²], and of the centre of mass [m/s²].
-#[derive(Clone, Copy)]
-struct Accelerations {
-    spin: Vector3<f64>,
-    velocity: Vector3<f64>,
-}
-
-impl Accelerations {
-    /// v̇ and F/M of rates at an attitude and L.
-    fn of<M: Turning>(model: &M, rates: &M::Rates, attitude: &Rotation, momentum: &Vector3<f64>) -> Self {
-        let in_body = attitude.inverse_transform_vector(momentum);
-        let inverse = model.rotational().inverse_moments;
-        let torque = attitude.inverse_transform_vector(&model.torque_of(rates));
-        let spin = (torque - inverse.component_mul(&in_body).cross(&in_body)).component_mul(&inverse);
-        Accelerations { spin, velocity: rates.motion().acceleration }
-    }
-
-    fn mixed(&self, part: f64, other: &Accelerations, rest: f64) -> Accelerations {
-        Accelerations {
-            spin: self.spin * part + other.spin * rest,
-            velocity: self.velocity * part + other.velocity * rest,
-        }
-    }
-
-    /// As rates, to be kept in the history.
-    fn kept<R: Rates>(&self) -> R {
-        let zero = Vector3::zeros();
-        R::of(Motion { spin: self.spin, velocity: zero, acceleration: self.velocity, torque: zero })
-    }
-
-    fn remembered<R: Rates>(rates: R) -> Accelerations {
-        let motion = rates.motion();
-        Accelerations { spin: motion.spin, velocity: motion.acceleration }
-    }
-}
 
 impl TurningScheme for GeneralizedAlpha {
     const CARD: Card = Card {

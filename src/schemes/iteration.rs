@@ -6,6 +6,9 @@ use crate::model::{Broken, Model};
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// Change that must be reached; below it the iteration goes on for as long as it improves.
 const TOLERANCE: f64 = 1e-12;
+/// Iterations without a smaller change than any before that end it. One or two are no end: changes of an iterate that
+/// circles its limit fall by turns.
+const STALE: u32 = 3;
 /// Iterations at most.
 const MOST: u32 = 100;
 
@@ -18,14 +21,15 @@ pub(super) fn until_settled<M: Model>(
     model: &M,
     mut improve: impl FnMut() -> Result<f64, Broken>,
 ) -> Result<(), Broken> {
-    let mut last = f64::INFINITY;
+    let (mut smallest, mut stale) = (f64::INFINITY, 0);
     for iteration in 1..=MOST {
         let change = improve()?;
-        if change <= ROUNDING || (change <= TOLERANCE && change >= last) {
+        stale = if change < smallest { 0 } else { stale + 1 };
+        smallest = smallest.min(change);
+        if change <= ROUNDING || (change <= TOLERANCE && stale >= STALE) {
             model.solved(iteration);
             return Ok(());
         }
-        last = change;
     }
-    Err(Broken::NoConvergence { iterations: MOST, residual: last, tolerance: TOLERANCE })
+    Err(Broken::NoConvergence { iterations: MOST, residual: smallest, tolerance: TOLERANCE })
 }

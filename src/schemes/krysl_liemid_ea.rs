@@ -6,8 +6,12 @@
 //! (3)  twice:  Θ = h/2 Ω(exp(Θ/2) R, L½),  R ← exp(Θ) R
 //! (4)  L₁ = L½ + h/2 τ₁,  U₁ = U½ + h/2 F₁/M
 //!
-//! (3) is solved by fixed-point iteration; Ω(R, L) = R I⁻¹ Rᵀ L. Source: krysl2005. Second order, by composing two
-//! adjoint methods of first order; L constant without torque.
+//! (3) is solved by fixed-point iteration; Ω(R, L) = R I⁻¹ Rᵀ L. Second order, by composing two adjoint methods of first
+//! order; L constant without torque.
+//!
+//! Source: krysl2004 for the idea: the midpoint rule in the Lie sense on two half steps, the impulse of the forces delivered at
+//! the beginning of the first and at the end of the second. krysl2005 works it out; that its algorithm of this name is these
+//! lines, formula by formula, has not been checked against its text.
 
 use nalgebra::Vector3;
 
@@ -24,9 +28,9 @@ pub struct KryslLiemidEa;
 impl TurningScheme for KryslLiemidEa {
     const CARD: Card = Card {
         name: "krysl-liemid-ea",
-        title: "midpoint Lie algorithm, explicit in the forces, symmetric",
+        title: "midpoint Lie algorithm, explicit in the forces, reconstructed",
         family: "Lie group",
-        source: "krysl2005",
+        source: "krysl2004; krysl2005",
         claims: &[
             Claim::Order(2),
             Claim::Exact(Quantity::Velocity, When::ConstantForce),

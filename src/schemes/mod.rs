@@ -4,9 +4,11 @@
 //! axes. It sees no scene, no reference and no gate: it
 //! cannot know that it is being examined.
 
+mod accelerations;
 mod cayley;
 mod collocation;
 mod iteration;
+mod multipliers;
 mod semi_implicit;
 mod vector_form;
 

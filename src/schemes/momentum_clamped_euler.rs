@@ -9,7 +9,7 @@
 //! Source: catto2015 for (1) and (2); (3) is game developers' lore without a publication that we know of. First
 //! order; |L| of a free body is constant, its direction is not.
 
-use super::semi_implicit::{in_body_axes, move_by};
+use super::semi_implicit::{explicit_spin, move_by};
 use super::{Card, TurningScheme, Workspace};
 use crate::claim::{Claim, Quantity, When};
 use crate::model::{Broken, Turning};
@@ -48,10 +48,7 @@ impl TurningScheme for MomentumClampedEuler {
         _work: &mut Workspace<M>,
     ) -> Result<(), Broken> {
         let k0 = model.rates(t, from)?;
-        let (spin, torque) = in_body_axes(model, from, &k0);
-        let body = model.rotational();
-        let gyroscopic = spin.cross(&body.moments.component_mul(&spin));
-        let spin = spin + body.inverse_moments.component_mul(&(torque - gyroscopic)) * h; // (1)
+        let spin = explicit_spin(model, h, from, &k0); // (1)
         move_by(model, h, from, &k0, &spin, to); // (2)
         let momentum = model.momentum(to);
         let implied = length(&(model.momentum(from) + model.torque_of(&k0) * h));

@@ -17,6 +17,19 @@ pub(super) fn in_body_axes<M: Turning>(
     (to_body(model.spin_of(rates)), to_body(model.torque_of(rates)))
 }
 
+/// ω₁ = ω₀ + h I⁻¹ (τ − ω₀ × I ω₀), about the principal axes of the old attitude.
+pub(super) fn explicit_spin<M: Turning>(
+    model: &M,
+    h: f64,
+    from: &M::State,
+    rates: &M::Rates,
+) -> Vector3<f64> {
+    let (spin, torque) = in_body_axes(model, from, rates);
+    let body = model.rotational();
+    let gyroscopic = spin.cross(&body.moments.component_mul(&spin));
+    spin + body.inverse_moments.component_mul(&(torque - gyroscopic)) * h
+}
+
 /// The step once the new spin ω₁ is known, about the principal axes of the old attitude:
 /// U₁ = U₀ + h F/M, X₁ = X₀ + h U₁, q₁ = q₀ + h/2 Ω₁ q₀ over its length, L₁ = I(q₁) Ω₁ with Ω₁ = R₀ ω₁.
 pub(super) fn move_by<M: Turning>(

@@ -7,7 +7,7 @@
 //!
 //! Source: catto2015. First order; neither L nor energy is kept without torque: both grow.
 
-use super::semi_implicit::{in_body_axes, move_by};
+use super::semi_implicit::{explicit_spin, move_by};
 use super::{Card, TurningScheme, Workspace};
 use crate::claim::{Claim, Quantity, When};
 use crate::model::{Broken, Turning};
@@ -45,10 +45,7 @@ impl TurningScheme for SemiImplicitEulerExplicitGyro {
         _work: &mut Workspace<M>,
     ) -> Result<(), Broken> {
         let k0 = model.rates(t, from)?;
-        let (spin, torque) = in_body_axes(model, from, &k0);
-        let body = model.rotational();
-        let gyroscopic = spin.cross(&body.moments.component_mul(&spin));
-        let spin = spin + body.inverse_moments.component_mul(&(torque - gyroscopic)) * h; // (1)
+        let spin = explicit_spin(model, h, from, &k0); // (1)
         move_by(model, h, from, &k0, &spin, to); // (2)
         Ok(())
     }

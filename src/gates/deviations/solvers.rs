@@ -7,13 +7,13 @@ pub(super) const KNOWN: &[Deviation] = &[
         reason: "the fixed-point iteration of the stages does not converge on the stiff ground at the steps of the ladder",
         claim: "solves",
         quantities: &[],
-        places: &[("bouncing-body", &["gauss-legendre-4", "gauss-legendre-6"])],
+        places: &[("bouncing-body", &["gauss-legendre-6"])],
     },
     Deviation {
         reason: "the body turns by so little that a few steps of the solver's first guess are the whole run at every tolerance",
         claim: "follows-tolerance",
         quantities: &[],
-        places: &[("slow-sphere", &["bdf", "tr-bdf2"])],
+        places: &[("slow-sphere", &["bdf", "esdirk34", "tr-bdf2"])],
     },
     Deviation {
         reason: "at the loosest tolerance the solver does not get through 2000 radians: its error test fails too often in a step",

@@ -1,0 +1,49 @@
+//! Accelerations of a body, and how they are kept in a history that is made for rates.
+
+use nalgebra::Vector3;
+
+use crate::model::{Motion, Rates, Turning};
+use crate::rotation::Rotation;
+
+/// Accelerations of the rotation, body axes [rad/s²], and of the centre of mass [m/s²].
+#[derive(Clone, Copy)]
+pub(super) struct Accelerations {
+    pub(super) spin: Vector3<f64>,
+    pub(super) velocity: Vector3<f64>,
+}
+
+impl Accelerations {
+    /// v̇ and F/M of rates at an attitude and L.
+    pub(super) fn of<M: Turning>(
+        model: &M,
+        rates: &M::Rates,
+        attitude: &Rotation,
+        momentum: &Vector3<f64>,
+    ) -> Self {
+        let in_body = attitude.inverse_transform_vector(momentum);
+        let inverse = model.rotational().inverse_moments;
+        let torque = attitude.inverse_transform_vector(&model.torque_of(rates));
+        let spin = (torque - inverse.component_mul(&in_body).cross(&in_body)).component_mul(&inverse);
+        Accelerations { spin, velocity: rates.motion().acceleration }
+    }
+
+    /// A weighted sum.
+    pub(super) fn mixed(&self, part: f64, other: &Accelerations, rest: f64) -> Accelerations {
+        Accelerations {
+            spin: self.spin * part + other.spin * rest,
+            velocity: self.velocity * part + other.velocity * rest,
+        }
+    }
+
+    /// As rates, to be kept in the history.
+    pub(super) fn kept<R: Rates>(&self) -> R {
+        let zero = Vector3::zeros();
+        R::of(Motion { spin: self.spin, velocity: zero, acceleration: self.velocity, torque: zero })
+    }
+
+    /// What was kept.
+    pub(super) fn remembered<R: Rates>(rates: R) -> Accelerations {
+        let motion = rates.motion();
+        Accelerations { spin: motion.spin, velocity: motion.acceleration }
+    }
+}

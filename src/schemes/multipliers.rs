@@ -1,0 +1,60 @@
+//! The symmetric matrix of multipliers that holds nine entries to a rotation, by Newton's method: (2) and (3) of RATTLE.
+//!
+//! (2)  F = (D + h/2 m̂ + Σ) D⁻¹,  D = ½ tr I − I
+//! (3)  Fᵀ F = E
+
+use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
+
+use crate::model::{Broken, Rotational};
+use crate::rotation::{Rotation, from_matrix};
+
+/// Newton's iterations allowed.
+const ITERATIONS: u32 = 30;
+/// A deviation from orthogonality that is rounding.
+const ORTHOGONAL: f64 = 8.0 * f64::EPSILON;
+/// Entries of a symmetric matrix.
+const ENTRIES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
+
+/// F of the step, from m and h.
+///
+/// # Errors
+/// [`Broken::NoConvergence`] where h |m| is too large.
+pub(super) fn constrained_turn(
+    body: &Rotational,
+    momentum: &Vector3<f64>,
+    h: f64,
+) -> Result<Rotation, Broken> {
+    let second = Vector3::repeat(body.moments.sum() / 2.0) - body.moments;
+    let (d, inverse) = (Matrix3::from_diagonal(&second), Matrix3::from_diagonal(&second.map(|x| 1.0 / x)));
+    let free = d + momentum.cross_matrix() * (h / 2.0);
+    let mut multipliers = Matrix3::zeros();
+    let mut residual = f64::INFINITY;
+    for _ in 0..ITERATIONS {
+        let f = (free + multipliers) * inverse; // (2)
+        let excess = f.transpose() * f - Matrix3::identity(); // (3)
+        let last = residual;
+        residual = excess.amax();
+        if residual <= ORTHOGONAL || (residual <= 1e-12 && residual >= last) {
+            return Ok(from_matrix(&f));
+        }
+        let mut slope = Matrix6::zeros();
+        for (column, (i, j)) in ENTRIES.into_iter().enumerate() {
+            let mut unit = Matrix3::zeros();
+            (unit[(i, j)], unit[(j, i)]) = (1.0, 1.0);
+            let half = inverse * unit * f;
+            slope.set_column(column, &entries(&(half + half.transpose())));
+        }
+        let Some(change) = slope.lu().solve(&entries(&excess)) else { return Err(Broken::Singular) };
+        for (k, (i, j)) in ENTRIES.into_iter().enumerate() {
+            multipliers[(i, j)] -= change[k];
+            if i != j {
+                multipliers[(j, i)] -= change[k];
+            }
+        }
+    }
+    Err(Broken::NoConvergence { iterations: ITERATIONS, residual, tolerance: ORTHOGONAL })
+}
+
+fn entries(symmetric: &Matrix3<f64>) -> Vector6<f64> {
+    Vector6::from_iterator(ENTRIES.into_iter().map(|entry| symmetric[entry]))
+}
