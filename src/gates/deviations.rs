@@ -238,7 +238,7 @@ const KNOWN: &[Deviation] = &[
     },
     Deviation {
         scene: "mujoco-fast-spin",
-        schemes: &["adams-bashforth-3", "crouch-grossman-3", "kahan-li-8", "moser-veselov-10", "peskin-rk3"],
+        schemes: &["adams-bashforth-3", "kahan-li-8", "moser-veselov-10"],
         claim: "order",
         quantities: &[],
         reason: TWO_TERMS,
@@ -266,7 +266,7 @@ const KNOWN: &[Deviation] = &[
     },
     Deviation {
         scene: "free-asymmetric",
-        schemes: &["kahan-li-8", "moser-veselov-10"],
+        schemes: &["kahan-li-8"],
         claim: "order",
         quantities: &[],
         reason: HIGH_ORDER,
@@ -314,13 +314,6 @@ const KNOWN: &[Deviation] = &[
         reason: HIGH_ORDER,
     },
     Deviation {
-        scene: "exact-separatrix",
-        schemes: &["rkmk4"],
-        claim: "order",
-        quantities: &[],
-        reason: NEAR_ROUNDING,
-    },
-    Deviation {
         scene: "heavy-asymmetric-top",
         schemes: &["rk4-matrix"],
         claim: "order",
@@ -328,21 +321,7 @@ const KNOWN: &[Deviation] = &[
         reason: NEAR_ROUNDING,
     },
     Deviation {
-        scene: "satellite-gravity-gradient",
-        schemes: &["adams-bashforth-4"],
-        claim: "order",
-        quantities: &[],
-        reason: NEAR_ROUNDING,
-    },
-    Deviation {
         scene: "euler-top-unit",
-        schemes: &["crouch-grossman-3"],
-        claim: "order",
-        quantities: &[],
-        reason: TWO_TERMS,
-    },
-    Deviation {
-        scene: "free-oblate",
         schemes: &["crouch-grossman-3"],
         claim: "order",
         quantities: &[],
@@ -398,14 +377,6 @@ const KNOWN: &[Deviation] = &[
         claim: "run",
         quantities: &[],
         reason: "at the loosest tolerance the solver does not get through 2000 radians: its error test fails too often in a step",
-    },
-    Deviation {
-        scene: "osrf-boxes-complex",
-        schemes: &["generalized-alpha"],
-        claim: "equivariant",
-        quantities: &[],
-        reason: "a step takes L apart into moments and spins and puts it together again, a dozen roundings where the floor \
-                 counts one, and the long tumble amplifies them to 4 times the bound",
     },
     Deviation {
         scene: "bouncing-body",
