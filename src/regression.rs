@@ -284,5 +284,7 @@ mod tests {
         let value: Vec<f64> = time.iter().map(|t| 1e-3 * t / 204.8 + (1.7 * t + 0.3).sin()).collect();
         let rate = secular_rate(&time, &value).expect("enough samples");
         assert!((rate / (1e-3 / 204.8) - 1.0).abs() < 0.05, "{rate:e}");
+        assert_eq!(secular_rate(&time[..7], &value[..7]), None);
+        assert_eq!(secular_rate(&time[..16], &value[..15]), None);
     }
 }
