@@ -123,11 +123,14 @@ rows! {
     "constant error below 1e-6, claimed second", 2, Fail, halved(|_| 1e-8);
 }
 
+/// Says something of a ladder and a claimed order.
+type Judge = fn(&[(f64, f64, f64)], f64) -> Ruling;
+
 /// A judge that is wrong in one way.
 pub struct WrongJudge {
     /// What is wrong.
     pub name: &'static str,
-    judge: fn(&[(f64, f64, f64)], f64) -> Ruling,
+    judge: Judge,
 }
 
 impl WrongJudge {
