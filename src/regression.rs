@@ -33,8 +33,8 @@ pub const FEWEST_SLOPES: usize = 3;
 /// Most rungs in a window: coarser ones add bias, not certainty.
 pub const MOST_RUNGS: usize = 6;
 
-/// Standard deviation of a normal distribution over the median of its sizes.
-const MEDIAN_TO_DEVIATION: f64 = 1.4826;
+/// Standard deviation of a normal distribution over the lower quartile of its sizes.
+const QUARTILE_TO_DEVIATION: f64 = 3.139;
 
 /// Relative difference from two terms, as a root mean square, that still counts as explained by them.
 const EXPLAINED: f64 = 0.02;
@@ -148,8 +148,8 @@ pub fn find_window(ladder: &[(f64, f64, f64)]) -> Ladder {
 }
 
 /// Standard deviation of ln e about a power law, from all rungs that stand clear: slopes in a window have been chosen for their
-/// agreement, so that what they leave is too small where there is noise. The median of the differences of successive slopes,
-/// each over what a unit of noise makes of it, is not moved by a few rungs that are not asymptotic.
+/// agreement, so that what they leave is too small where there is noise. The lower quartile of the differences of successive
+/// slopes, each over what a unit of noise makes of it, is not moved by many rungs that are not asymptotic.
 fn scatter(points: &[(f64, f64)]) -> f64 {
     let mut changes: Vec<f64> = points
         .windows(3)
@@ -160,13 +160,10 @@ fn scatter(points: &[(f64, f64)]) -> f64 {
         })
         .collect();
     changes.sort_by(f64::total_cmp);
-    let (count, half) = (changes.len(), changes.len() / 2);
-    let median = match count {
-        0 => 0.0,
-        _ if count % 2 == 1 => changes[half],
-        _ => 0.5 * (changes[half - 1] + changes[half]),
-    };
-    MEDIAN_TO_DEVIATION * median
+    let Some(last) = changes.len().checked_sub(1) else { return 0.0 };
+    let place = 0.25 * last as f64;
+    let (below, above) = (changes[place.floor() as usize], changes[place.ceil() as usize]);
+    QUARTILE_TO_DEVIATION * (below + (above - below) * place.fract())
 }
 
 /// How far a ladder is from a leading term of order p and the next one, as a root mean square over 2 % of an error and what else
@@ -287,5 +284,7 @@ mod tests {
         let value: Vec<f64> = time.iter().map(|t| 1e-3 * t / 204.8 + (1.7 * t + 0.3).sin()).collect();
         let rate = secular_rate(&time, &value).expect("enough samples");
         assert!((rate / (1e-3 / 204.8) - 1.0).abs() < 0.05, "{rate:e}");
+        assert_eq!(secular_rate(&time[..7], &value[..7]), None);
+        assert_eq!(secular_rate(&time[..16], &value[..15]), None);
     }
 }

@@ -32,8 +32,8 @@ pub(super) fn judge(case: &Case, order: u32) -> Vec<Verdict> {
 }
 
 /// A slope above the band says that the claimed order is too low, or that its term is too small to be seen in one quantity of one
-/// scene. Where another quantity of the same runs shows that order (its interval reaches into the band, or two terms show it under
-/// the next one), it is not too low: undecided.
+/// scene. Where another quantity of the same runs shows that order, its interval reaching into the band, it is not too low:
+/// undecided.
 fn excuse_easy_quantities(order: u32, verdicts: &mut [Verdict]) {
     let is_order = |v: &Verdict| v.claim == "order";
     let shows =

@@ -30,6 +30,8 @@ const STANDS: f64 = 0.02;
 const GIANT_STEPS: [u64; 4] = [1, 3, 5, 7];
 /// Misfit without a term over that with it, from which on the term is seen.
 const FAR_BETTER: f64 = 5.0;
+/// Misfit that errors may leave which rounding bends by up to a floor at the fine end of a window.
+const ROUNDING_EXPLAINS: f64 = 0.5;
 /// Slope below which errors hardly fall.
 const FLAT: f64 = 0.5;
 /// Half-width of the band about the claimed order.
@@ -135,7 +137,8 @@ impl QuantityLadder {
         let window: Vec<_> =
             self.rungs[rungs.clone()].iter().map(|(h, e, floor)| (*h, *e, floor / e)).collect();
         let without = regression::misfit(&window, order + 1).unwrap_or(f64::INFINITY);
-        regression::misfit(&window, order).is_some_and(|with| with <= 1.0 && FAR_BETTER * with < without)
+        regression::misfit(&window, order)
+            .is_some_and(|with| with <= 1.0 && without > ROUNDING_EXPLAINS && FAR_BETTER * with < without)
     }
 
     /// Whether the interval lies inside the band about `order`.
@@ -281,7 +284,10 @@ fn settled(ladder: &QuantityLadder, last: Option<&QuantityLadder>, order: u32) -
     let before = last.and_then(QuantityLadder::fit);
     let stands = ladder.fit().zip(before).is_some_and(|(now, before)| {
         let below = now.slope < f64::from(order) - BAND;
-        below && (now.slope - before.slope).abs() < STANDS && !ladder.is_on_its_way(order)
+        let change = (now.slope - before.slope).abs();
+        // A slope that has come to rest at another whole order will not leave it for the claimed one.
+        let at_rest = (now.slope - now.slope.round()).abs() < STANDS && change < 0.25 * STANDS;
+        (below && change < STANDS || at_rest) && !ladder.is_on_its_way(order)
     });
     at_floor || stands || ladder.holds(order)
 }

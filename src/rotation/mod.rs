@@ -176,13 +176,20 @@ pub fn best_fit(from: &[Vector3<f64>], to: &[Vector3<f64>], weights: &[f64]) -> 
 }
 
 /// The least rotation that carries one unit vector onto another: (1 + a·b, a × b), scaled to length one. An angle from the inverse
-/// cosine of a·b would be off by 1e-8 where they nearly agree.
+/// cosine of a·b would be off by 1e-8 where they nearly agree. Where they point apart, a is carried to −b, and on by a half turn
+/// about the axis that is across both.
 fn between(a: &Vector3<f64>, b: &Vector3<f64>) -> Rotation {
-    let real = 1.0 + a.dot(b);
-    if real < 1e-14 {
-        return half_turn(a);
+    if a.dot(b) >= 0.0 {
+        return Rotation::new_normalize(Quaternion::from_parts(1.0 + a.dot(b), a.cross(b)));
     }
-    Rotation::new_normalize(Quaternion::from_parts(real, a.cross(b)))
+    let across = a.cross(b);
+    let across = across - b * b.dot(&across);
+    let half = if across.norm() > 1e-8 {
+        Rotation::new_normalize(Quaternion::from_parts(0.0, across))
+    } else {
+        half_turn(b)
+    };
+    half * between(a, &-b)
 }
 
 /// A half turn that reverses `direction`, about any axis across it.

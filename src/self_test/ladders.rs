@@ -52,9 +52,9 @@ fn noisy(seed: u64, count: i32, deviation: f64, error: impl Fn(f64) -> f64) -> R
         .collect()
 }
 
-/// Four rungs of a pure power, off by up to 3 %.
-fn off_by_three_percent(power: f64) -> Rungs {
-    let off = [1.0, 1.03, 0.97, 1.01];
+/// Four rungs of a pure power, off by up to 1 %.
+fn off_by_a_hundredth(power: f64) -> Rungs {
+    let off = [1.0, 1.01, 0.99, 1.003];
     ladder(4, 2.0, 0.0, |h| h.powf(power)).iter().zip(off).map(|((h, e, f), off)| (*h, e * off, *f)).collect()
 }
 
@@ -107,7 +107,10 @@ rows! {
     "infinite at the coarse steps", 2, Pass, halved(|h| if h > 0.2 { f64::INFINITY } else { h * h });
     "noise of a hundredth", 2, Pass, noisy(1, 10, 0.01, |h| h * h);
     "noise of a twentieth", 2, Inconclusive, noisy(11, 4, 0.05, |h| h * h);
-    "order 2.1 with errors of 3 %", 2, Inconclusive, off_by_three_percent(2.1);
+    "order 2.12 with errors of 1 %", 2, Inconclusive, off_by_a_hundredth(2.12);
+    "order 1.88 with errors of 1 %", 2, Inconclusive, off_by_a_hundredth(1.88);
+    "four rungs after an infinite one", 2, Pass, ladder(5, 2.0, 0.0, |h| if h == 1.0 { f64::INFINITY } else { h * h });
+    "an error that dips under its floor near the end", 2, Pass, ladder(10, 2.0, 1e-9, |h| if h == 0.5f64.powi(7) { 0.0 } else { h * h });
     "noise of a third", 2, Inconclusive, noisy(3, 10, 0.33, |h| h * h);
     "first order with noise of a hundredth", 2, Fail, noisy(4, 10, 0.01, |h| h);
     "every other error doubled", 1, Inconclusive, halved(|h| if (h.log2() as i64) % 2 == 0 { h } else { 2.0 * h });
@@ -120,11 +123,14 @@ rows! {
     "constant error below 1e-6, claimed second", 2, Fail, halved(|_| 1e-8);
 }
 
+/// Says something of a ladder and a claimed order.
+type Judge = fn(&[(f64, f64, f64)], f64) -> Ruling;
+
 /// A judge that is wrong in one way.
 pub struct WrongJudge {
     /// What is wrong.
     pub name: &'static str,
-    judge: fn(&[(f64, f64, f64)], f64) -> Ruling,
+    judge: Judge,
 }
 
 impl WrongJudge {
