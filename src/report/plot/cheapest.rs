@@ -34,25 +34,27 @@ struct Table<'a> {
     families: Vec<(&'a str, Vec<Cheapest<'a>>)>,
 }
 
-/// The scenes on which most schemes were run and that carry an order, of different models, with their ladders.
+/// The scenes on which most schemes were run and that carry an order, of different models, with their ladders; the same scenes
+/// for every kind of work.
 fn scenes(records: &Records, work: Work) -> Vec<(&str, Vec<Ladder<'_>>)> {
-    let mut all: Vec<(&str, &str, Vec<Ladder>)> = Vec::new();
-    for row in records.scenes.iter().filter(|row| row.not_for_order.is_none()) {
-        let metric = ranking::quantity(records, &row.name);
-        all.push((&row.name, &row.model, ranking::ladders(records, &row.name, metric, work)));
-    }
+    let ladders =
+        |scene: &str, work| ranking::ladders(records, scene, ranking::quantity(records, scene), work);
+    let carry_an_order = records.scenes.iter().filter(|row| row.not_for_order.is_none());
+    let mut all: Vec<(&str, &str, usize)> = carry_an_order
+        .map(|row| (row.name.as_str(), row.model.as_str(), ladders(&row.name, Work::Evaluations).len()))
+        .collect();
     // The sort is stable: of scenes with as many schemes the first of the records come first.
-    all.sort_by_key(|(.., ladders)| std::cmp::Reverse(ladders.len()));
-    let mut chosen: Vec<(&str, &str, Vec<Ladder>)> = Vec::new();
-    for (scene, model, ladders) in all {
-        let new = chosen.iter().all(|(_, other, _)| *other != model);
+    all.sort_by_key(|(.., schemes)| std::cmp::Reverse(*schemes));
+    let most = all.first().map_or(0, |(.., schemes)| *schemes);
+    let mut chosen: Vec<(&str, &str)> = Vec::new();
+    for (scene, model, schemes) in all {
+        let new = chosen.iter().all(|(_, other)| *other != model);
         // A scene that few schemes take would leave the others out of the mean.
-        let as_many = chosen.first().is_none_or(|(.., first)| 4 * ladders.len() >= 3 * first.len());
-        if new && as_many && !ladders.is_empty() && chosen.len() < MOST_SCENES {
-            chosen.push((scene, model, ladders));
+        if new && 4 * schemes >= 3 * most && chosen.len() < MOST_SCENES {
+            chosen.push((scene, model));
         }
     }
-    chosen.into_iter().map(|(scene, _, ladders)| (scene, ladders)).collect()
+    chosen.into_iter().map(|(scene, _)| (scene, ladders(scene, work))).collect()
 }
 
 fn table(records: &Records, work: Work) -> Table<'_> {
@@ -100,7 +102,7 @@ pub(super) fn sketch(records: &Records, work: Work) -> Option<Sketch> {
     let mut sketch = Sketch::new(WIDTH, height.max(1000.0), title.clone());
     let scenes = table.scenes.join(", ");
     let subtitle = format!(
-        "the cheapest scheme of each family · mean over {scenes} · framed: of all · ≤: the coarsest step is good enough"
+        "cheapest of each family, mean over {scenes} · framed: of all · ≤: the coarsest step is enough"
     );
     panel::headline(&mut sketch, &title, &subtitle);
     draw(&mut sketch, &table);
