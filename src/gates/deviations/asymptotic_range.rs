@@ -11,6 +11,9 @@ const TWO_TERMS: &str = "two terms of the error, the leading one and the next, s
 const COLD_START: &str = "the order of 2 comes from the first steps alone, whose history is made up; the formula's own error of \
      order 3 or 4 covers that of the start down to the last steps above rounding";
 
+const SCATTERED: &str = "over 600 radians and more the end of the run falls on another place of the polhode at every step, and the error \
+     there swings with it: the slope is inside the band, the scatter of all clear rungs makes its interval wider";
+
 const MANY_TURNS: &str = "the splitting takes the body apart into turns about its axes, and about the axis of the thin body's small \
      moment each turns it many times in a step: only the last step of the ladder is asymptotic";
 
@@ -28,12 +31,12 @@ pub(super) const KNOWN: &[Deviation] = &[
         &[
             ("exact-separatrix", &["kahan-li-8"]),
             ("euler-top-unit", &["crouch-grossman-3"]),
-            ("free-asymmetric", &["kahan-li-8", "moser-veselov-10"]),
-            ("free-oblate", &["crouch-grossman-3", "kahan-li-8"]),
+            ("free-asymmetric", &["kahan-li-8"]),
+            ("free-oblate", &["kahan-li-8"]),
             ("gravity-drag", &["gauss-legendre-6"]),
             ("gravity-gradient", &["kahan-li-8"]),
             ("lagrange-fast-top", &["kahan-li-8"]),
-            ("mujoco-fast-spin", &["crouch-grossman-3", "kahan-li-8", "moser-veselov-10", "peskin-rk3"]),
+            ("mujoco-fast-spin", &["kahan-li-8", "moser-veselov-10"]),
             ("nasa-check-case-2", &["kahan-li-8", "moser-veselov-8", "moser-veselov-10"]),
             ("released-top", &["kahan-li-8"]),
             ("sleeping-top", &["kahan-li-8"]),
@@ -47,11 +50,9 @@ pub(super) const KNOWN: &[Deviation] = &[
     order(
         TWO_TERMS,
         &[
-            ("exact-separatrix", &["rkmk4"]),
             ("heavy-asymmetric-top", &["rk4-matrix"]),
             ("lagrange-fast-top", &["rkmk4"]),
             ("mujoco-fast-spin", &["adams-bashforth-3"]),
-            ("satellite-gravity-gradient", &["adams-bashforth-4"]),
             ("sleeping-top", &["adams-bashforth-3", "magnus-4", "rkmk4"]),
             (
                 "thin-body",
@@ -81,4 +82,11 @@ pub(super) const KNOWN: &[Deviation] = &[
         ],
     ),
     order(MANY_TURNS, &[("thin-body", &["strang-rotations", "no-squish"])]),
+    order(
+        SCATTERED,
+        &[
+            ("mujoco-fast-spin", &["adams-bashforth-2", "buss-augmented"]),
+            ("thin-body", &["buss-augmented", "krysl-liemid", "peskin-rk2", "peskin-trapezoid"]),
+        ],
+    ),
 ];

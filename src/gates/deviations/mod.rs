@@ -6,7 +6,6 @@
 mod asymptotic_range;
 mod energy;
 mod first_order;
-mod hard_scenes;
 mod rounding;
 mod solvers;
 
@@ -36,14 +35,8 @@ const ROTATION: &[&str] = &[
 /// The same without the spin, where that has an order of its own.
 const WITHOUT_SPIN: &[&str] = &["orientation-end", "orientation-max", "body-point-end", "body-point-max"];
 
-const TABLES: [&[Deviation]; 6] = [
-    first_order::KNOWN,
-    asymptotic_range::KNOWN,
-    energy::KNOWN,
-    rounding::KNOWN,
-    solvers::KNOWN,
-    hard_scenes::KNOWN,
-];
+const TABLES: [&[Deviation]; 5] =
+    [first_order::KNOWN, asymptotic_range::KNOWN, energy::KNOWN, rounding::KNOWN, solvers::KNOWN];
 
 /// Marks the verdicts on one scheme in one scene.
 pub(super) fn apply(verdicts: &mut [Verdict]) {

@@ -22,12 +22,6 @@ pub(super) const KNOWN: &[Deviation] = &[
         places: &[("mujoco-fast-spin", &["bdf"])],
     },
     Deviation {
-        reason: "at all steps of the ladder but the finest the iteration fails while a point touches the ground",
-        claim: "consistency",
-        quantities: &[],
-        places: &[("tippe-top", &["gauss-legendre-6"])],
-    },
-    Deviation {
         reason: "the way back ends at rest, where an iteration that ends by a relative change of L no longer ends: the last \
                  step is not made",
         claim: "reversible",
