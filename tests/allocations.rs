@@ -20,7 +20,8 @@ fn a_run_allocates_as_much_whether_it_has_sixteen_steps_or_two_thousand() {
     for contestant in Contestant::all() {
         let mut runs = 0;
         for scene in scenes::built_in() {
-            if contestant.refusal(&scene.system).is_some() {
+            // Some break in the scenes that are there to break them.
+            if scene.only_for_stability.is_some() || contestant.refusal(&scene.system).is_some() {
                 continue;
             }
             for form in [Form::Least, Form::Points] {

@@ -18,7 +18,7 @@ const EDGES: &[(&str, &[&str])] = &[
     ("schemes", &["claim", "free_rotor", "model", "rotation"]),
     ("reference", &["elliptic", "free_rotor", "interrupt", "model", "rotation"]),
     ("scenes", &["model", "rotation", "reference"]),
-    ("simulate", &["interrupt", "model", "rotation", "schemes"]),
+    ("simulate", &["claim", "interrupt", "model", "rotation", "schemes"]),
     ("ensemble", &["interrupt", "model", "number", "rotation", "scenes", "schemes", "simulate"]),
     ("sweep", &["ensemble", "interrupt", "model", "reference", "scenes", "simulate"]),
     ("adaptive", &["claim", "interrupt", "model", "reference", "schemes", "simulate"]),

@@ -111,7 +111,10 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     };
     match dispatch(arguments) {
         Ok(code) => code,
-        Err(_) if crate::interrupt::requested() => exit::INTERRUPTED,
+        // A run whose output cannot be written is ended the same way, and says why.
+        Err(failure) if crate::interrupt::requested() && !matches!(failure, Failure::Write { .. }) => {
+            exit::INTERRUPTED
+        }
         Err(failure) => {
             eprintln!("polhode: {failure}");
             failure.code()

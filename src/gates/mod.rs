@@ -93,6 +93,14 @@ impl Baseline {
     }
 }
 
+/// What the iteration of an implicit equation may leave, relative.
+const SOLVED_TO: f64 = 1e-12;
+
+/// What solves to [`SOLVED_TO`] leave by the end of a run, over the roundings of its steps, which a floor counts as √n.
+fn left_by_solves(solves: u64, steps: u64) -> f64 {
+    solves as f64 * SOLVED_TO / f64::EPSILON / (steps.max(1) as f64).sqrt()
+}
+
 /// Judges every claim of a scheme in a scene.
 pub fn judge(case: &Case) -> Vec<Verdict> {
     let mut verdicts = Vec::new();

@@ -27,24 +27,28 @@ pub(super) fn judge(case: &Case, order: u32) -> Vec<Verdict> {
         verdicts.push(judge_slope(case, order, ladder, &name));
         verdicts.extend(judge_constant(case, ladder, &name));
     }
-    excuse_easy_quantities(order, &mut verdicts);
+    excuse_easy_quantities(case, order, &mut verdicts);
     verdicts
 }
 
 /// A slope above the band says that the claimed order is too low, or that its term is too small to be seen in one quantity of one
-/// scene. Where another quantity of the same runs shows that order, its interval reaching into the band, it is not too low:
-/// undecided.
-fn excuse_easy_quantities(order: u32, verdicts: &mut [Verdict]) {
+/// scene. Where another quantity of the same runs shows that order, its interval reaching into the band, it is not too low; and
+/// where another has not settled, the runs as a whole have not come to their asymptotic range: undecided.
+fn excuse_easy_quantities(case: &Case, order: u32, verdicts: &mut [Verdict]) {
     let is_order = |v: &Verdict| v.claim == "order";
     let shows =
         |v: &Verdict| matches!(v.verdict, Ruling::Pass | Ruling::Inconclusive) && v.measured.is_some();
     let seen = verdicts.iter().any(|v| is_order(v) && shows(v));
+    let open = case.evidence.ladders.iter().any(|ladder| ladder.ladder == Ladder::Unsettled);
     let above = |v: &Verdict| v.low.is_some_and(|low| low > f64::from(order) + BAND);
+    let excuse = match (seen, open) {
+        (true, _) => "; other quantities of the same runs show the claimed order",
+        (_, true) => "; other quantities of the same runs have not settled",
+        _ => return,
+    };
     for verdict in verdicts.iter_mut().filter(|v| is_order(v) && v.verdict == Ruling::Fail && above(v)) {
-        if seen {
-            verdict.verdict = Ruling::Inconclusive;
-            verdict.detail += "; other quantities of the same runs show the claimed order";
-        }
+        verdict.verdict = Ruling::Inconclusive;
+        verdict.detail += excuse;
     }
 }
 
@@ -144,6 +148,8 @@ fn rule_on_fit(ladder: &QuantityLadder, order: u32, fit: &Fit, rungs: usize) -> 
         (Ruling::Pass, "inside")
     } else if outside && ladder.is_on_its_way(order) {
         (Ruling::Inconclusive, "a term of the claimed order is there, still under the next one:")
+    } else if fit.low > top && between_orders(fit) {
+        (Ruling::Inconclusive, "above the band and at no whole order, which is no asymptotic range:")
     } else if fit.low > top {
         (Ruling::Fail, "above the band (too easy a scene, or mis-declared):")
     } else if fit.high < bottom {
@@ -156,6 +162,13 @@ fn rule_on_fit(ladder: &QuantityLadder, order: u32, fit: &Fit, rungs: usize) -> 
         fit.slope, fit.low, fit.high
     );
     (verdict, detail)
+}
+
+/// Whether the whole interval lies between the bands of two whole orders: smooth motions converge at whole orders, and a slope that
+/// comes to rest at one shows it.
+fn between_orders(fit: &Fit) -> bool {
+    let below = fit.low.floor();
+    fit.low > below + BAND && fit.high < below + 1.0 - BAND
 }
 
 /// A constant on record and none measured: undecided, but where an error is below its floor that the record makes a thousand times

@@ -1,14 +1,11 @@
 //! The reversibility gate: there and back ends at the start, to rounding. Where implicit equations were solved to their
 //! tolerance and no further, what is left of them is named and the verdict stays open.
 
-use super::{Case, ruled};
+use super::{Case, SOLVED_TO, left_by_solves, ruled};
 use crate::record::{Ruling, Verdict};
 
 /// Distance over its floor that rounding may leave.
 const CLEAR: f64 = 10.0;
-/// What the iteration of an implicit equation may leave, relative.
-const SOLVED_TO: f64 = 1e-12;
-
 pub(super) fn judge(case: &Case) -> Verdict {
     let rule = |verdict, detail: &str| ruled(case, "reversible", "there-and-back", verdict, detail);
     let Some(reversal) = case.reversal else {
@@ -20,7 +17,7 @@ pub(super) fn judge(case: &Case) -> Verdict {
     if reversal.of_floor.is_nan() {
         return rule(Ruling::Broken, "the run there or back broke");
     }
-    let left = reversal.solves as f64 * SOLVED_TO / f64::EPSILON / (reversal.steps as f64).sqrt();
+    let left = left_by_solves(reversal.solves, reversal.steps);
     let (verdict, named) = if reversal.of_floor <= CLEAR {
         (Ruling::Pass, String::new())
     } else if reversal.of_floor <= CLEAR * left {

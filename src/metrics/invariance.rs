@@ -37,6 +37,10 @@ pub struct OtherWorld {
     pub quantity: Quantity,
     /// The difference itself.
     pub difference: f64,
+    /// Steps of the run.
+    pub steps: u64,
+    /// Implicit equations that were solved in the scene's own world.
+    pub solves: u64,
 }
 
 /// A world with its name.
@@ -60,6 +64,7 @@ pub fn other_worlds(contestant: &Contestant, system: &System, rungs: &[Rung]) ->
         if run.outcome.broken.is_none() { run.states.last().copied() } else { None }
     };
     let Some(own) = run(system, Form::Least, rung.step) else { return Vec::new() };
+    let solves = (rung.outcome.solves as f64 * steps as f64 / rung.steps as f64).round() as u64;
     let own_of_points = if contestant.takes_points() { run(system, Form::Points, rung.step) } else { None };
     let rounding = rounding(contestant, system, rung, steps);
     let of_points = own_of_points.map(|own| {
@@ -75,7 +80,7 @@ pub fn other_worlds(contestant: &Contestant, system: &System, rungs: &[Rung]) ->
         if let (Form::Points, Some(of_points)) = (world.form, &of_points) {
             floors = std::array::from_fn(|index| floors[index].max(of_points[index]));
         }
-        Some(compare(system, &world, own, other.as_ref(), &floors))
+        Some(OtherWorld { steps, solves, ..compare(system, &world, own, other.as_ref(), &floors) })
     };
     let worlds = worlds(system, rung.step * steps as f64).into_iter().chain(told(system));
     worlds.filter_map(compared).collect()
@@ -118,6 +123,8 @@ fn compare(
         of_floor: if other.is_some() { 0.0 } else { f64::NAN },
         quantity: Quantity::BodyPoint,
         difference: f64::NAN,
+        steps: 0,
+        solves: 0,
     };
     let Some(other) = other else { return row };
     if own == other {

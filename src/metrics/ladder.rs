@@ -34,6 +34,8 @@ const FAR_BETTER: f64 = 5.0;
 const ROUNDING_EXPLAINS: f64 = 0.5;
 /// Slope below which errors hardly fall.
 const FLAT: f64 = 0.5;
+/// Angle left open by roundings [rad] from which on nothing is exact.
+const OPEN_ANGLE: f64 = 1e-3;
 /// Half-width of the band about the claimed order.
 pub const BAND: f64 = 0.15;
 
@@ -220,7 +222,12 @@ pub fn climb(
         if dear && index >= FEWEST_RUNGS {
             break;
         }
-        let floors = floors(system, reference, &growth, roundings(system, steps, turned));
+        // A steady spin is exact at every step but for roundings, and those a large step may amplify by itself.
+        let own = system
+            .steady_spin()
+            .then(|| rounding_growth(contestant, system, &reference.states, &plan(reference, steps)));
+        let growth = own.as_ref().unwrap_or(&growth);
+        let floors = floors(system, reference, growth, roundings(system, steps, turned));
         let (rung, states) = run_rung(contestant, system, reference, steps, floors, &before);
         let refused = rung.outcome.refusal().is_some();
         evidence.rungs.push(rung);
@@ -292,7 +299,7 @@ fn settled(ladder: &QuantityLadder, last: Option<&QuantityLadder>, order: u32) -
     at_floor || stands || ladder.holds(order)
 }
 
-/// The whole run in a few steps, compared at its end.
+/// The whole run in a few steps, compared at its end. Steps that amplify a rounding to an angle that can be seen say nothing.
 fn giant_steps(
     contestant: &Contestant,
     system: &System,
@@ -301,8 +308,14 @@ fn giant_steps(
     turned: f64,
 ) -> Vec<Rung> {
     let last = reference.times.len() - 1;
+    let angle = Quantity::ALL.iter().position(|quantity| *quantity == Quantity::Orientation);
     let run = |steps: u64| {
         let plan = Plan { step: reference.times[last] / steps as f64, steps, every: steps };
+        let own = rounding_growth(contestant, system, &reference.states, &plan);
+        let open = angle.map_or(0.0, |index| own[index].end * f64::EPSILON * (1.0 + turned));
+        if open > OPEN_ANGLE {
+            return None;
+        }
         let Trajectory { states, outcome } = contestant.run(system, Form::Least, &plan);
         let mut errors = [Reading { end: f64::NAN, max: f64::NAN }; 6];
         if let (None, Some(end)) = (&outcome.broken, states.last()) {
@@ -314,9 +327,9 @@ fn giant_steps(
         for (floor, measured) in floors.iter_mut().zip(measured) {
             *floor = Reading { end: floor.end.max(measured), max: floor.max.max(measured) };
         }
-        Rung { step: plan.step, steps, errors, floors, moved: errors, readings: Vec::new(), outcome }
+        Some(Rung { step: plan.step, steps, errors, floors, moved: errors, readings: Vec::new(), outcome })
     };
-    GIANT_STEPS.map(run).to_vec()
+    GIANT_STEPS.into_iter().filter_map(run).collect()
 }
 
 fn run_rung(

@@ -166,6 +166,8 @@ impl Rotational {
     }
 }
 
+/// Relative difference from which on two moments are two.
+const TWO_MOMENTS: f64 = 1e-9;
 /// Part along a rod, over the whole, that may still be rounding of what was given.
 const ALONG_ROD: f64 = 1e-9;
 
@@ -257,7 +259,7 @@ impl System {
         !self.body.pivoted && self.forces.laws().iter().all(|law| matches!(law, Law::Gravity(_)))
     }
 
-    /// Whether Ω is constant to rounding: no torque, and Ω along L.
+    /// Whether Ω is constant to rounding: no torque, and Ω along L about an axis where it stays.
     pub fn steady_spin(&self) -> bool {
         let attitude = self.start.orientation;
         let momentum = attitude.inverse_transform_vector(&self.start.angular_momentum);
@@ -269,7 +271,17 @@ impl System {
             Shape::Point | Shape::Rod { .. } => 1.0,
         };
         let rounding = 16.0 * f64::EPSILON * condition.min(1e3);
-        self.torque_free() && across <= rounding * rotation::length(&spin) * rotation::length(&momentum)
+        let along = across <= rounding * rotation::length(&spin) * rotation::length(&momentum);
+        self.torque_free() && along && !self.about_the_middle_axis(&spin, &momentum)
+    }
+
+    /// Whether a spin is about the axis of a moment that lies between two others: what rounding leaves beside it grows.
+    fn about_the_middle_axis(&self, spin: &Vector3<f64>, momentum: &Vector3<f64>) -> bool {
+        let moments = self.body.moments;
+        let moment = rotation::length(momentum) / rotation::length(spin);
+        self.body.shape == Shape::Extended
+            && moment > moments.min() * (1.0 + TWO_MOMENTS)
+            && moment < moments.max() * (1.0 - TWO_MOMENTS)
     }
 
     /// The least model that determines the motion.
