@@ -1,8 +1,7 @@
 //! The note as written, on every mass point, beside the least model: do they agree, does the body stay rigid, is
 //! L untouched, and what does the reduction save?
 
-use nalgebra::Vector3;
-
+use super::rounding::TURNS;
 use crate::model::forces::Law;
 use crate::model::{Change, Quantity, Snapshot, System, difference};
 use crate::rotation;
@@ -10,8 +9,6 @@ use crate::simulate::{Contestant, Form, Outcome, Plan};
 
 /// Steps of the comparison.
 const STEPS: u64 = 1000;
-/// Turned worlds that the point form is run in.
-const TURNS: [Vector3<f64>; 2] = [Vector3::new(0.9, -1.3, 0.4), Vector3::new(-0.2, 0.7, 1.9)];
 /// What rounding may do at most: u n times a condition of the inertia of 10⁴, and some more.
 const NO_ROUNDING: f64 = 1e-8;
 /// Radians turned a step, at most.

@@ -21,6 +21,14 @@ use crate::simulate::{Contestant, Form, Plan};
 const DISPLACEMENTS: [f64; 3] = [1e-7, 1e-10, 1e-13];
 /// Part of the motion's size from which on a difference no longer grows as a small one would.
 const SATURATED: f64 = 0.05;
+/// Turned worlds that roundings are measured in: the largest of a few samples is too small as often as they are few.
+pub(super) const TURNS: [Vector3<f64>; 5] = [
+    Vector3::new(0.9, -1.3, 0.4),
+    Vector3::new(-0.2, 0.7, 1.9),
+    Vector3::new(2.1, 0.3, -0.8),
+    Vector3::new(-1.1, -0.6, 0.5),
+    Vector3::new(0.3, 1.6, -1.4),
+];
 /// Directions of displacement, and turned worlds.
 const DIRECTIONS: usize = 3;
 /// Relative difference of a run in a turned world from which on it is no rounding, whatever a giant step makes of it.
@@ -127,7 +135,7 @@ pub(super) fn of_giant_steps(
     let mut largest = [0.0; 6];
     let Some(own) = own else { return largest };
     let spin = rotation::length(&own.angular_velocity);
-    for turn in [Vector3::new(0.9, -1.3, 0.4), Vector3::new(-0.2, 0.7, 1.9), Vector3::new(2.1, 0.3, -0.8)] {
+    for turn in TURNS {
         let change = Change { turn: rotation::turn(&turn), ..Change::none() };
         let run = contestant.run(&change.apply(system), Form::Least, plan);
         let Some(end) = run.states.last().filter(|_| run.outcome.broken.is_none()) else { continue };
