@@ -22,9 +22,9 @@ fn points_and_the_least_model_agree_to_1e_minus_12_after_a_thousand_steps_in_eve
                     // Measured for the note's two schemes: at most 2e-14, and 1.7e-13 to 1.6e-12 on nasa-check-case-2, by
                     // the last bit of the step: there the torques of the weight cancel to a thousandth of L a second,
                     // and their rounding, which is alike for as long as the body hardly turns, remains. One torque a
-                    // step enters L in both, a difference of two products with three roundings; four in a scheme of
-                    // four stages.
-                    let torques = if matches!(name, "peskin-rk2" | "euler") { 3.0 } else { 12.0 };
+                    // step enters L in both, a difference of two products with three roundings, and turns the body by as
+                    // much for each of two radians; four torques in a scheme of four stages.
+                    let torques = if matches!(name, "peskin-rk2" | "euler") { 6.0 } else { 12.0 };
                     let extra =
                         if run.torque_rounding.is_finite() { torques * run.torque_rounding } else { 0.0 };
                     let bound = 1e-12 + extra;

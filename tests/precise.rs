@@ -1,5 +1,6 @@
 //! The double-double Taylor reference meets every stored solution, component by component, and its bound holds.
 
+use polhode::model::forces::Law;
 use polhode::model::{Quantity, Snapshot, System, difference};
 use polhode::reference::precise::{self, AFFORDABLE, DoubleDouble, Moment, Motion, decimal};
 use polhode::reference::{ReferenceError, Stored, dop853, stored};
@@ -8,6 +9,11 @@ use serde_json::Value;
 
 fn scene(name: &str) -> Scene {
     Scene::find(name).expect("a built-in scene")
+}
+
+/// Whether a force has a kink, which no series passes.
+fn has_ground(scene: &Scene) -> bool {
+    scene.system.forces.laws().iter().any(|law| matches!(law, Law::Ground(_)))
 }
 
 fn at_quarters(system: &System, duration: f64) -> Motion {
@@ -111,18 +117,19 @@ fn every_component_of_the_fourteen_stored_solutions_is_met_within_the_bound() {
 
 #[test]
 fn every_smooth_scene_is_solved_to_24_digits_for_little_work() {
-    for scene in scenes::built_in() {
+    // 19 digits and more are left where no claim is judged: roundings grow by ten powers of ten there.
+    for scene in scenes::built_in().into_iter().filter(|scene| scene.only_for_stability.is_none()) {
         let times: Vec<f64> = (1..=64).map(|j| f64::from(j) * scene.duration / 64.0).collect();
         let found = precise::solve(&scene.system, &times, AFFORDABLE);
-        if scene.name == "bouncing-body" {
+        if has_ground(&scene) {
             assert_eq!(found, Err(ReferenceError::Kink { law: "ground" }));
             continue;
         }
         let motion = found.expect("a motion");
         assert_eq!(motion.moments.len(), 64);
-        // Measured: 20 next to the separatrix, where a rounding grows by 1e9, 24 and 25 near it, 27 to 30 elsewhere.
+        // Measured: 24 and 25 near the separatrix, where a rounding grows by 1e5 and more, 27 to 30 elsewhere.
         let digits = motion.certain_digits(&scene.system);
-        assert!(digits >= if scene.name == "near-separatrix" { 20 } else { 24 }, "{}: {digits}", scene.name);
+        assert!(digits >= 24, "{}: {digits}", scene.name);
         // Measured: 1,542 steps in 100 s of mujoco-fast-spin, below 620 elsewhere.
         assert!(motion.runs[0].1 < 2_000, "{}: {:?}", scene.name, motion.runs);
     }
@@ -171,19 +178,16 @@ fn what_cannot_be_solved_is_refused_with_its_reason() {
 /// Every force law is transcribed twice: the two agree to what dop853 is good to.
 #[test]
 fn dop853_agrees_on_every_built_in_scene() {
-    for scene in scenes::built_in().iter().filter(|scene| scene.name != "bouncing-body") {
+    let judged = |scene: &&Scene| scene.only_for_stability.is_none();
+    for scene in scenes::built_in().iter().filter(judged).filter(|scene| !has_ground(scene)) {
         let times = [0.25, 0.5, 0.75, 1.0].map(|part| part * scene.duration);
         let rough = dop853::solve(&scene.system, &times, dop853::TOLERANCE).expect("dop853").states;
         let precise: Vec<Snapshot> =
             at_quarters(&scene.system, scene.duration).moments.iter().map(Moment::snapshot).collect();
         for (a, b) in rough.iter().zip(&precise) {
             let angle = difference(&scene.system.body, a, b)[2];
-            // Measured: 1.4e-8 and 4e-5 after passing the separatrix often or closely, 7e-11 and less elsewhere.
-            let bound = match scene.name.as_str() {
-                "mujoco-middle-axis" => 1e-7,
-                "near-separatrix" => 1e-3,
-                _ => 1e-9,
-            };
+            // Measured: 1.4e-8 after 100 s next to the separatrix, 7e-11 and less elsewhere.
+            let bound = if scene.name == "mujoco-middle-axis" { 1e-7 } else { 1e-9 };
             assert!(angle < bound, "{}: {angle:e}", scene.name);
         }
     }

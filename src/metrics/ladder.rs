@@ -25,7 +25,7 @@ const FEWEST_SAMPLES: usize = 8;
 /// A solver that chooses its own steps is compared at this many.
 const SAMPLES_OF_OWN_STEPS: usize = 4;
 /// Change of a slope by one more rung from which on the ladder may still become something else.
-const STANDS: f64 = 0.02;
+pub const STANDS: f64 = 0.02;
 /// Numbers of steps, odd ones, that a whole run in steady spin is made in besides its ladder.
 const GIANT_STEPS: [u64; 4] = [1, 3, 5, 7];
 /// Misfit without a term over that with it, from which on the term is seen.

@@ -23,7 +23,7 @@ use crate::reference::Reference;
 pub use drift::{Class, EnergyDrift, EnergyRung, energy_drift};
 pub use flips::{FlipFinder, FlipRung, Flips, flips, tumbling_axis};
 pub use invariance::{OtherWorld, other_worlds};
-pub use ladder::{APART, BAND, Evidence, Place, QuantityLadder, Rung, climb};
+pub use ladder::{APART, BAND, Evidence, Place, QuantityLadder, Rung, STANDS, climb};
 pub use points::{PointRun, point_run};
 pub use reversal::{Reversal, reversal};
 pub use symplecticity::{Symplecticity, symplecticity};
