@@ -69,5 +69,5 @@ fn closed_forms_are_good_to_a_few_units_a_radian_and_say_so() {
         }
         count += 1;
     }
-    assert_eq!(count, 19);
+    assert_eq!(count, 23);
 }

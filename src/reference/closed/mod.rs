@@ -12,7 +12,7 @@
 //! A free or falling body is a translation and a rotation that do not see each other. All are evaluated in f64: the
 //! error is a few rounding units times 1 + |Ω| t, times what the motion makes of a rounding. How much that is, is
 //! measured: the forms are evaluated again with moments, angular momentum and velocity a rounding off in several
-//! directions, and the largest difference is the uncertainty.
+//! directions, and twice the largest difference is the uncertainty: the directions are few.
 
 mod asymmetric;
 mod lagrange_top;
@@ -62,7 +62,7 @@ pub fn solve(system: &System, times: &[f64]) -> Option<Closed> {
     let uncertainty = states.iter().map(|state| {
         for (other, form) in &nudged {
             let apart = difference(&system.body, state, &form.at(other, state.time));
-            largest = std::array::from_fn(|i| apart[i].max(largest[i]));
+            largest = std::array::from_fn(|i| (2.0 * apart[i]).max(largest[i]));
         }
         largest
     });
