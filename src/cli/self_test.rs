@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use clap::Args;
-use comfy_table::{ContentArrangement, Table, presets};
+use comfy_table::{Table, presets};
 
 use super::Failure;
 use super::gate::progress_bar;
@@ -57,22 +57,24 @@ pub(super) fn self_test(options: &Options, quiet: bool) -> Result<u8, Failure> {
     Ok(u8::from(!findings.sound()))
 }
 
-/// Defects by gates.
-fn matrix(findings: &Findings) -> Table {
+/// Defects by gates, a column a gate under its number, and what the numbers stand for.
+fn matrix(findings: &Findings) -> String {
     let gates: BTreeSet<&str> =
         findings.outcomes.iter().flat_map(|o| o.caught_by.iter().map(String::as_str)).collect();
     let mut table = Table::new();
-    table.load_preset(presets::UTF8_HORIZONTAL_ONLY).set_content_arrangement(ContentArrangement::Dynamic);
-    if !table.is_tty() {
-        table.set_width(200);
-    }
-    table.set_header(["defect", "in"].into_iter().chain(gates.iter().copied()));
+    table.load_preset(presets::NOTHING);
+    let numbers = (1..=gates.len()).map(|number| number.to_string());
+    table.set_header(["defect".to_owned(), "in".to_owned()].into_iter().chain(numbers));
     for outcome in &findings.outcomes {
-        let caught = |gate: &&str| if outcome.caught_by.contains(*gate) { "red" } else { "" };
+        let caught = |gate: &&str| if outcome.caught_by.contains(*gate) { "×" } else { "·" };
         let cells = gates.iter().map(caught);
         table.add_row([outcome.name.as_str(), outcome.place].into_iter().chain(cells));
     }
-    table
+    for column in table.column_iter_mut().skip(2) {
+        column.set_padding((0, 1));
+    }
+    let key: String = gates.iter().zip(1..).map(|(gate, number)| format!("\n  {number:2}  {gate}")).collect();
+    format!("{table}\n\n×: the gate of this number goes red{key}")
 }
 
 fn summary(findings: &Findings) -> String {
