@@ -16,6 +16,12 @@ pub(super) const KNOWN: &[Deviation] = &[
         places: &[("slow-sphere", &["bdf", "esdirk34", "tr-bdf2"])],
     },
     Deviation {
+        reason: "whole steps between the stored times, few as they are, jump in number, and so do the errors at the end",
+        claim: "follows-tolerance",
+        quantities: &[],
+        places: &[("free-asymmetric", &["dop853"])],
+    },
+    Deviation {
         reason: "at the loosest tolerance the solver does not get through 2000 radians: its error test fails too often in a step",
         claim: "run",
         quantities: &[],
