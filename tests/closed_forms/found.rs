@@ -32,8 +32,7 @@ fn closed_forms_are_found_by_what_a_system_is() {
 #[test]
 fn closed_forms_are_good_to_a_few_units_a_radian_and_say_so() {
     let mut count = 0;
-    // Next to the separatrix roundings of the moments alone move the motion by more than units a radian can tell.
-    for scene in scenes::built_in().into_iter().filter(|scene| scene.name != "near-separatrix") {
+    for scene in scenes::built_in() {
         let fastest = fastest(&scene.system);
         let times = grid(scene.duration);
         let Some(found) = closed::solve(&scene.system, &times) else { continue };
@@ -44,8 +43,9 @@ fn closed_forms_are_good_to_a_few_units_a_radian_and_say_so() {
             let turned = 1.0 + fastest * times[j];
             // Measured: 8.3 units where a body starts near its separatrix, where the phase is the difference of two long
             // integrals (osrf-boxes-complex); 6 and less in other scenes.
-            // Up to 41 where a rod swings in a plane: a top without spin, whose two angles add up to one.
-            let units = if scene.name == "swinging-rod" { 64.0 } else { 16.0 };
+            // 41 and 20 in the two scenes named here, whose larger bound is what was measured and not derived.
+            let units =
+                if ["swinging-rod", "near-separatrix"].contains(&scene.name.as_str()) { 64.0 } else { 16.0 };
             let bound = units * f64::EPSILON * turned * condition[j];
             assert!(error[2] <= bound, "{} at {} s: {:e} > {bound:e}", scene.name, times[j], error[2]);
             let sizes = [
@@ -69,5 +69,5 @@ fn closed_forms_are_good_to_a_few_units_a_radian_and_say_so() {
         }
         count += 1;
     }
-    assert_eq!(count, 23);
+    assert_eq!(count, 24);
 }

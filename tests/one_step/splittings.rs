@@ -212,7 +212,7 @@ pub fn fractal() -> [f64; 3] {
 }
 
 /// Hairer, Lubich and Wanner, Geometric Numerical Integration, second edition, (V.3.11).
-#[allow(clippy::excessive_precision)] // Twenty digits, as they are printed.
+#[allow(clippy::excessive_precision, reason = "twenty digits, as they are printed")]
 pub const KAHAN_LI_6: [f64; 5] = [
     0.39216144400731413928,
     0.33259913678935943860,
@@ -222,7 +222,7 @@ pub const KAHAN_LI_6: [f64; 5] = [
 ];
 
 /// The same, (V.3.13).
-#[allow(clippy::excessive_precision)]
+#[allow(clippy::excessive_precision, reason = "twenty digits, as they are printed")]
 pub const KAHAN_LI_8: [f64; 9] = [
     0.13020248308889008088,
     0.56116298177510838456,

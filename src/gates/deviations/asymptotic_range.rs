@@ -11,8 +11,8 @@ const TWO_TERMS: &str = "two terms of the error, the leading one and the next, s
 const COLD_START: &str = "the order of 2 comes from the first steps alone, whose history is made up; the formula's own error of \
      order 3 or 4 covers that of the start down to the last steps above rounding";
 
-const SCATTERED: &str = "over 600 radians and more the end of the run falls on another place of the polhode at every step, and the error \
-     there swings with it: the slope is inside the band, the scatter of all clear rungs makes its interval wider";
+const SCATTERED: &str = "over 600 radians and more: the slope is inside the band, but the errors of all clear rungs scatter about it, and \
+     the interval that allows for their scatter reaches out of the band";
 
 const MANY_TURNS: &str = "the splitting takes the body apart into turns about its axes, and about the axis of the thin body's small \
      moment each turns it many times in a step: only the last step of the ladder is asymptotic";
