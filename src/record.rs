@@ -6,6 +6,7 @@
 
 pub mod stability;
 mod engines;
+mod tables;
 mod whole;
 
 use std::fs;
@@ -14,6 +15,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 pub use engines::{EngineRow, PeerRow, Twin};
+pub use tables::{write_csv, write_json};
 pub use whole::{WholeFile, write_whole};
 
 /// The schema that [`Records`] follows.
@@ -437,34 +439,4 @@ impl Records {
         }
         Ok(records)
     }
-
-    /// The records as JSON text, a row a line.
-    pub fn to_json(&self) -> String {
-        row_a_line(self)
-    }
-
-    /// The measurements as tidy CSV: a header, then one row each.
-    pub fn to_csv(&self) -> String {
-        let mut writer = csv::Writer::from_writer(Vec::new());
-        for row in &self.measurements {
-            writer.serialize(row).expect("a measurement is a flat row");
-        }
-        let bytes = writer.into_inner().expect("a vector takes every byte");
-        String::from_utf8(bytes).expect("CSV of UTF-8 fields is UTF-8")
-    }
-}
-
-/// A struct of lists as JSON text, a row a line.
-fn row_a_line(records: &impl Serialize) -> String {
-    let value = serde_json::to_value(records).expect("records hold only strings, numbers and lists");
-    let serde_json::Value::Object(members) = value else { unreachable!("a struct becomes an object") };
-    let member = |(key, value): (String, serde_json::Value)| match value {
-        serde_json::Value::Array(rows) if !rows.is_empty() => {
-            let rows: Vec<String> = rows.iter().map(|row| format!("  {row}")).collect();
-            format!(" \"{key}\": [\n{}\n ]", rows.join(",\n"))
-        }
-        other => format!(" \"{key}\": {other}"),
-    };
-    let members: Vec<String> = members.into_iter().map(member).collect();
-    format!("{{\n{}\n}}\n", members.join(",\n"))
 }

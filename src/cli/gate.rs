@@ -54,7 +54,7 @@ pub(super) fn gate(options: &Options, quiet: bool) -> Result<u8, Failure> {
     };
     let records = measure(&options.selection, false, baseline, false, quiet)?;
     if let Some(path) = &options.json {
-        record::write_whole(path, records.to_json().as_bytes())?;
+        record::write_json(path, &records)?;
     }
     if let Some(path) = &options.junit {
         record::write_whole(path, report::junit(&records).as_bytes())?;

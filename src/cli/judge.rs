@@ -89,7 +89,7 @@ pub(super) fn judge(options: &Options) -> Result<u8, Failure> {
             verdicts: vec![judgement.verdict(&scene, &name)],
             ..Records::default()
         };
-        record::write_whole(path, records.to_json().as_bytes())?;
+        record::write_json(path, &records)?;
     }
     super::run::print(&in_words(&judgement, &scene, &name))?;
     Ok(options.tolerance.map_or(0, |tolerance| ruling(&judgement, options.quantity, tolerance)))

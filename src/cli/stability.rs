@@ -82,7 +82,7 @@ pub(super) fn stability(options: &Options, quiet: bool) -> Result<u8, Failure> {
             made_at: String::new(),
             ..study
         };
-        record::write_whole(path, kept.to_json().as_bytes())?;
+        record::write_json(path, &kept)?;
         return Ok(0);
     }
     report::write_stability(&study, &options.out)?;

@@ -244,7 +244,7 @@ pub struct KinkOrder {
 }
 
 impl Stability {
-    /// Reads a file that [`Stability::to_json`] wrote.
+    /// Reads a file that [`write_json`](super::write_json) wrote.
     ///
     /// # Errors
     /// The file cannot be read, is not JSON of this shape, or follows another schema.
@@ -286,10 +286,5 @@ impl Stability {
     /// The line of a scheme, where there is one.
     pub fn line(&self, scheme: &str) -> Option<&str> {
         self.fails_where.iter().find(|row| row.scheme == scheme).map(|row| row.line.as_str())
-    }
-
-    /// The records as JSON text, a row a line.
-    pub fn to_json(&self) -> String {
-        super::row_a_line(self)
     }
 }

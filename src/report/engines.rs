@@ -3,6 +3,8 @@
 
 mod groups;
 
+use std::io::Write;
+
 use serde::Serialize;
 
 use crate::record::{EngineRow, PeerRow, Records};
@@ -166,8 +168,8 @@ struct Page {
     engines: Option<Section>,
 }
 
-/// The section as a page of its own, in Markdown, its pictures beside it.
-pub(super) fn page(records: &Records, figures: &[Figure]) -> Result<String, minijinja::Error> {
+/// Writes the section as a page of its own, in Markdown, its pictures beside it.
+pub(super) fn page(records: &Records, figures: &[Figure], writer: impl Write) -> Result<(), minijinja::Error> {
     let page = Page {
         version: records.polhode.clone(),
         made_at: records.made_at.clone(),
@@ -175,5 +177,5 @@ pub(super) fn page(records: &Records, figures: &[Figure]) -> Result<String, mini
         alone: true,
         engines: Section::new(records, figures),
     };
-    template::fill(&markdown::environment()?, PAGE, &page)
+    template::fill(&markdown::environment()?, PAGE, &page, writer)
 }

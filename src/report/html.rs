@@ -1,5 +1,7 @@
 //! The report as one page of HTML that needs nothing but itself.
 
+use std::io::Write;
+
 use minijinja::AutoEscape;
 
 use super::page::Page;
@@ -8,9 +10,9 @@ use super::template;
 const TEMPLATE: &str = include_str!("template/index.html");
 const ENGINES: &str = include_str!("template/engines.html");
 
-/// The page as HTML.
-pub(super) fn render(page: &Page) -> Result<String, minijinja::Error> {
+/// Writes the page as HTML.
+pub(super) fn render(page: &Page, writer: impl Write) -> Result<(), minijinja::Error> {
     let mut environment = template::environment(AutoEscape::Html)?;
     environment.add_template("engines.html", ENGINES)?;
-    template::fill(&environment, TEMPLATE, page)
+    template::fill(&environment, TEMPLATE, page, writer)
 }

@@ -1,5 +1,7 @@
 //! The report as Markdown, with the pictures beside it.
 
+use std::io::Write;
+
 use minijinja::{AutoEscape, Environment};
 
 use super::page::Page;
@@ -8,9 +10,9 @@ use super::template;
 const TEMPLATE: &str = include_str!("template/report.md");
 const ENGINES: &str = include_str!("template/engines.md");
 
-/// The page as Markdown.
-pub(super) fn render(page: &Page) -> Result<String, minijinja::Error> {
-    template::fill(&environment()?, TEMPLATE, page)
+/// Writes the page as Markdown.
+pub(super) fn render(page: &Page, writer: impl Write) -> Result<(), minijinja::Error> {
+    template::fill(&environment()?, TEMPLATE, page, writer)
 }
 
 /// Of every page in Markdown: the filter for cells, and the section on engines.

@@ -21,9 +21,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use minijinja::Value;
 use rayon::prelude::*;
 
-use crate::record::{RecordError, Records, write_whole};
+use crate::record::{RecordError, Records, WholeFile, write_csv, write_json, write_whole};
 
 pub use github::annotations;
 pub use junit::junit;
@@ -81,12 +82,13 @@ pub fn write(
     out: &Path,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<(), ReportError> {
-    write_whole(&out.join("records.json"), records.to_json().as_bytes())?;
-    write_whole(&out.join("records.csv"), records.to_csv().as_bytes())?;
-    let figures = write_pictures(records, &plot::subjects(records), &out.join("plots"), progress)?;
-    let page = page::compose(records, &records.without_apart(), &figures);
-    write_page(&out.join("report.md"), markdown::render(&page))?;
-    write_page(&out.join("index.html"), html::render(&page))
+    write_json(&out.join("records.json"), records)?;
+    write_csv(&out.join("records.csv"), records)?;
+    let main = records.without_apart();
+    let figures = write_pictures(records, &main, &plot::subjects(records), &out.join("plots"), progress)?;
+    let page = page::compose(records, &main, &figures);
+    write_page(&out.join("report.md"), |file| markdown::render(&page, file))?;
+    write_page(&out.join("index.html"), |file| html::render(&page, file))
 }
 
 /// Writes what a repository can hold: `report.md`, the key pictures, and a `records.json` of orders, drifts and
@@ -100,10 +102,11 @@ pub fn write_brief(
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<(), ReportError> {
     let brief = Records { measurements: Vec::new(), series: Vec::new(), ..records.clone() };
-    write_whole(&out.join("records.json"), brief.to_json().as_bytes())?;
-    let figures = write_pictures(records, &plot::key_subjects(records), &out.join("plots"), progress)?;
-    let page = page::compose(records, &records.without_apart(), &figures);
-    write_page(&out.join("report.md"), markdown::render(&page))
+    write_json(&out.join("records.json"), &brief)?;
+    let main = records.without_apart();
+    let figures = write_pictures(records, &main, &plot::key_subjects(records), &out.join("plots"), progress)?;
+    let page = page::compose(records, &main, &figures);
+    write_page(&out.join("report.md"), |file| markdown::render(&page, file))
 }
 
 /// Writes the section on foreign programs as a page of its own: `engines.md`, its pictures beside it as SVG, a
@@ -113,7 +116,7 @@ pub fn write_brief(
 /// A file cannot be written, or a picture or the page cannot be made.
 pub fn write_engines(records: &Records, out: &Path) -> Result<(), ReportError> {
     let kept = engines::kept(records);
-    write_whole(&out.join("engines.json"), kept.to_json().as_bytes())?;
+    write_json(&out.join("engines.json"), &kept)?;
     let mut figures = Vec::new();
     for subject in plot::engine_subjects(records) {
         let path = out.join(subject.file_stem() + ".svg");
@@ -121,30 +124,35 @@ pub fn write_engines(records: &Records, out: &Path) -> Result<(), ReportError> {
         if let Some(picture) = plot::lay_out(records, records, &subject).map_err(fault)? {
             let svg = picture.svg().map_err(fault)?;
             write_whole(&path, plot::alone(&svg).as_bytes())?;
-            figures.push(Figure { subject, svg });
+            figures.push(Figure { subject, svg: Some(Value::from_safe_string(svg)) });
         }
     }
-    write_page(&out.join("engines.md"), engines::page(records, &figures))
+    write_page(&out.join("engines.md"), |file| engines::page(records, &figures, file))
 }
 
-fn write_page(path: &Path, text: Result<String, minijinja::Error>) -> Result<(), ReportError> {
-    let text = text.map_err(|source| ReportError::Page { path: path.into(), source })?;
-    Ok(write_whole(path, text.as_bytes())?)
+/// Writes a page as it is rendered.
+fn write_page(
+    path: &Path,
+    render: impl FnOnce(&mut WholeFile) -> Result<(), minijinja::Error>,
+) -> Result<(), ReportError> {
+    let mut file = WholeFile::begin(path)?;
+    render(&mut file).map_err(|source| ReportError::Page { path: path.into(), source })?;
+    Ok(file.finish()?)
 }
 
-/// Draws pictures, writes the PNGs and gives back the SVGs.
+/// Draws pictures, writes the PNGs and gives back the SVGs. `main` is the records without the schemes that stand apart.
 fn write_pictures(
     records: &Records,
+    main: &Records,
     subjects: &[Subject],
     folder: &Path,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Vec<Figure>, ReportError> {
     let done = AtomicUsize::new(0);
-    let drawn = records.without_apart();
     let one = |subject: &Subject| {
         let path = folder.join(subject.file_name());
         let fault = |plot::Fault(why)| ReportError::Picture { path: path.clone(), why };
-        let figure = match plot::lay_out(records, &drawn, subject).map_err(fault)? {
+        let figure = match plot::lay_out(records, main, subject).map_err(fault)? {
             Some(picture) => Some(write_picture(&picture, &path)?),
             None => None,
         };
@@ -162,7 +170,7 @@ fn write_picture(picture: &Picture, path: &Path) -> Result<Figure, ReportError> 
     write_whole(path, &picture.png().map_err(fault)?)?;
     // A picture of every scheme holds thousands of points; a page with one a scene would no longer open.
     let inline = !matches!(picture.subject, Subject::WorkPrecision(_, plot::Cast::Everyone, _));
-    let svg = if inline { picture.svg().map_err(fault)? } else { String::new() };
+    let svg = if inline { Some(Value::from_safe_string(picture.svg().map_err(fault)?)) } else { None };
     Ok(Figure { subject: picture.subject.clone(), svg })
 }
 

@@ -5,6 +5,7 @@ mod rankings;
 mod scene;
 mod tables;
 
+use minijinja::Value;
 use serde::Serialize;
 
 use crate::record::{Machine, Records, Verdict};
@@ -19,8 +20,8 @@ use super::survey::{self, Outcome};
 pub(super) struct Figure {
     /// What it shows.
     pub subject: Subject,
-    /// The picture as an SVG element; empty where the page only names its file, because it is large.
-    pub svg: String,
+    /// The picture as an SVG element, shared by whoever shows it; none where the page only names its file, because it is large.
+    pub svg: Option<Value>,
 }
 
 /// The whole report.
@@ -60,7 +61,7 @@ struct Count {
 #[derive(Serialize)]
 pub(super) struct FigureView {
     file: String,
-    svg: String,
+    svg: Option<Value>,
     caption: String,
 }
 

@@ -22,6 +22,7 @@ mod raster;
 mod render;
 mod sketch;
 mod scaling;
+mod strip;
 pub(super) mod stability;
 mod work_precision;
 mod work_precision_panel;

@@ -1,5 +1,7 @@
 //! From a sketch to a PNG or an SVG: the same shapes on either backend of plotters.
 
+use std::io::Write;
+
 use plotters::coord::Shift;
 use plotters::element::{Circle, PathElement, Polygon, Rectangle, Text};
 use plotters::prelude::{BitMapBackend, Color, DrawingArea, DrawingBackend, IntoDrawingArea, SVGBackend};
@@ -7,6 +9,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{FontStyle, IntoFont, TextStyle};
 
 use super::sketch::{Anchor, Place, Shape, Sketch, Type};
+use super::strip::Strip;
 use super::{font, raster};
 
 /// A picture that could not be drawn, in the words of the backend.
@@ -39,23 +42,49 @@ const VECTOR: Pen = Pen { zoom: 1.0, size_per_em: 1.24, drop_em: 0.10 };
 /// The picture as PNG bytes.
 pub(super) fn png(sketch: &Sketch) -> Result<Vec<u8>, Fault> {
     let (width, height) = sketch.size;
-    let large = (width * OVERSAMPLING as u32, height * OVERSAMPLING as u32);
-    let mut pixels = vec![255; large.0 as usize * large.1 as usize * 3];
-    let area = BitMapBackend::with_buffer(&mut pixels, large).into_drawing_area();
-    paint(&sketch.shapes, area, &BITMAP)?;
-    encode(&average(&pixels, width as usize, height as usize), width, height)
+    let strips = (0..height).step_by(STRIP as usize);
+    encode(width, height, strips.map(|first| strip(sketch, first, STRIP.min(height - first))))
 }
 
-/// Without a filter: lines and flat areas repeat to the letter, which the compression itself finds best.
-pub(super) fn encode(pixels: &[u8], width: u32, height: u32) -> Result<Vec<u8>, Fault> {
+/// Rows of a picture that are drawn at a time: a few megabytes where the whole at twice its size would take seventy.
+const STRIP: u32 = 240;
+
+/// The pixels of `rows` rows from `first` on.
+fn strip(sketch: &Sketch, first: u32, rows: u32) -> Result<Vec<u8>, Fault> {
+    let (width, height) = sketch.size;
+    let zoom = OVERSAMPLING as u32;
+    let large = (width * zoom, rows * zoom);
+    let mut pixels = vec![255; large.0 as usize * large.1 as usize * 3];
+    let backend = BitMapBackend::with_buffer(&mut pixels, large);
+    let area = Strip::new(backend, (large.0, height * zoom), first * zoom).into_drawing_area();
+    let (top, bottom) = (f64::from(first), f64::from(first + rows));
+    let inside = |shape: &&Shape| {
+        let (least, greatest) = shape.heights();
+        least <= bottom && greatest >= top
+    };
+    paint(sketch.shapes.iter().filter(inside), area, &BITMAP)?;
+    Ok(average(&pixels, width as usize, rows as usize))
+}
+
+/// A PNG from its pixels, some rows after the other. Without a filter: lines and flat areas repeat to the letter, which the
+/// compression itself finds best.
+pub(super) fn encode(
+    width: u32,
+    height: u32,
+    parts: impl Iterator<Item = Result<Vec<u8>, Fault>>,
+) -> Result<Vec<u8>, Fault> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, width, height);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_compression(png::Compression::Balanced);
     encoder.set_filter(png::Filter::NoFilter);
-    let mut writer = encoder.write_header().map_err(fault)?;
-    writer.write_image_data(pixels).map_err(fault)?;
+    let mut header = encoder.write_header().map_err(fault)?;
+    let mut writer = header.stream_writer().map_err(fault)?;
+    for pixels in parts {
+        writer.write_all(&pixels?).map_err(fault)?;
+    }
     writer.finish().map_err(fault)?;
+    header.finish().map_err(fault)?;
     Ok(bytes)
 }
 
@@ -108,7 +137,11 @@ pub(in crate::report) fn alone(svg: &str) -> String {
     svg.replacen("<svg ", "<svg font-family=\"DejaVu Sans, Verdana, Arial, sans-serif\" ", 1)
 }
 
-fn paint<B: DrawingBackend>(shapes: &[Shape], area: DrawingArea<B, Shift>, pen: &Pen) -> Result<(), Fault> {
+fn paint<'a, B: DrawingBackend>(
+    shapes: impl IntoIterator<Item = &'a Shape>,
+    area: DrawingArea<B, Shift>,
+    pen: &Pen,
+) -> Result<(), Fault> {
     for shape in shapes {
         draw(shape, &area, pen)?;
     }

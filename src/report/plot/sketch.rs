@@ -65,6 +65,24 @@ pub(super) enum Shape {
     Text { text: String, place: Place, anchor: Anchor, face: Type },
 }
 
+impl Shape {
+    /// The least and the greatest y that it may reach.
+    pub(super) fn heights(&self) -> (f64, f64) {
+        let around = |places: &[Place], margin: f64| {
+            let ys = || places.iter().map(|place| place.1);
+            (ys().fold(f64::INFINITY, f64::min) - margin, ys().fold(f64::NEG_INFINITY, f64::max) + margin)
+        };
+        match self {
+            Shape::Line { places, width, .. } => around(places, *width),
+            Shape::Area { corners, .. } => around(corners, 1.0),
+            Shape::Disc { centre, radius, .. } => around(&[*centre], radius + 1.0),
+            Shape::Raster { low, high, .. } => around(&[*low, *high], 1.0),
+            // Accents and descenders of a typeface stay within two ems of the middle of a line.
+            Shape::Text { place, face, .. } => around(&[*place], 2.0 * face.em),
+        }
+    }
+}
+
 /// A filled polygon as a shape.
 pub(super) fn fan(corners: Vec<Place>, ink: RGBColor) -> Shape {
     Shape::Area { corners, ink }

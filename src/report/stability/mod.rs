@@ -9,7 +9,7 @@ use std::path::Path;
 use rayon::prelude::*;
 
 use crate::record::stability::{Map, Stability};
-use crate::record::write_whole;
+use crate::record::{write_json, write_whole};
 
 use super::{ReportError, plot};
 
@@ -20,7 +20,7 @@ pub use table::table;
 /// # Errors
 /// A file cannot be written, or a picture cannot be made.
 pub fn write(study: &Stability, out: &Path) -> Result<(), ReportError> {
-    write_whole(&out.join("stability.json"), study.to_json().as_bytes())?;
+    write_json(&out.join("stability.json"), study)?;
     write_whole(&out.join("stability.md"), page::compose(study).as_bytes())?;
     let fault = |path: &Path, why: String| ReportError::Picture { path: path.into(), why };
     let curves = plot::stability::pictures(study).map_err(|plot::Fault(why)| fault(out, why))?;
