@@ -11,6 +11,7 @@ mod whole;
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
@@ -41,8 +42,8 @@ pub struct Records {
     /// The schemes, in the order of the campaign.
     #[serde(default)]
     pub schemes: Vec<SchemeRow>,
-    /// One row a scene, scheme, step and metric.
-    pub measurements: Vec<Measurement>,
+    /// One row a scene, scheme, step and metric; nine tenths of the records, and so shared where records are cloned.
+    pub measurements: Vec<Arc<Measurement>>,
     /// One row a scene, scheme and quantity: the fitted order of convergence.
     pub orders: Vec<Order>,
     /// One row a scene, scheme and conserved quantity: how it drifts.
@@ -58,7 +59,7 @@ pub struct Records {
     pub scaling: Vec<ScalingRow>,
     /// Quantities against time, for drawing.
     #[serde(default)]
-    pub series: Vec<Series>,
+    pub series: Vec<Arc<Series>>,
     /// Foreign programs among the schemes.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub engines: Vec<EngineRow>,
@@ -406,8 +407,12 @@ impl Records {
         self.engines.extend(other.engines);
         self.peers.extend(other.peers);
         self.twins.extend(other.twins);
-        let judged = self.verdicts.clone();
-        self.verdicts.extend(other.verdicts.into_iter().filter(|verdict| !judged.contains(verdict)));
+        let judged = self.verdicts.len();
+        for verdict in other.verdicts {
+            if !self.verdicts[..judged].contains(&verdict) {
+                self.verdicts.push(verdict);
+            }
+        }
     }
 
     /// Without the schemes that stand apart.

@@ -6,6 +6,7 @@ mod synthetic;
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use polhode::record::{
@@ -148,7 +149,7 @@ fn rows_that_name_no_known_scene_or_hold_no_number_make_a_report() {
     let not_a_number = Measurement { value: Some(f64::NAN), status: "ok".into(), ..broken.clone() };
     let records = Records {
         schema: SCHEMA.into(),
-        measurements: vec![broken, not_a_number, Measurement::default()],
+        measurements: [broken, not_a_number, Measurement::default()].map(Arc::new).into(),
         orders: vec![Order {
             status: "fitted".into(),
             quantity: "orientation-end".into(),
@@ -156,7 +157,7 @@ fn rows_that_name_no_known_scene_or_hold_no_number_make_a_report() {
         }],
         drifts: vec![Drift::default()],
         verdicts: vec![Verdict::default()],
-        series: vec![empty, Series::default()],
+        series: [empty, Series::default()].map(Arc::new).into(),
         ..Records::default()
     };
     let folder = written(&records);
@@ -252,10 +253,10 @@ fn schemes_that_stand_apart_have_pictures_that_the_page_names_and_does_not_hold(
         .measurements
         .iter()
         .filter(|row| row.scheme == "euler")
-        .map(|row| Measurement { scheme: "apart".into(), ..row.clone() })
+        .map(|row| Measurement { scheme: "apart".into(), ..(**row).clone() })
         .collect();
     let main = written(&few(&[1]));
-    records.measurements.extend(more);
+    records.measurements.extend(more.into_iter().map(Arc::new));
     let folder = written(&records);
     let name = "scene-01-work-precision-of-all-rotation.png";
     assert!(is_drawn(folder.path(), name) && !is_drawn(main.path(), name));

@@ -4,6 +4,8 @@
 //! scheme and kind of scene is divided among those of the kind. Where a step is made of a varying number of evaluations, as in
 //! an implicit scheme whose iterations depend on h, the cost of a step at another h follows the evaluations counted there.
 
+use std::sync::Arc;
+
 use crate::cost::{self, Cost, Course};
 use crate::record::{CostRow, Records};
 use crate::rotation;
@@ -140,6 +142,6 @@ fn fill(
         let evaluations = measurement.force_evaluations as f64 / measurement.steps as f64;
         let share =
             if cost.evaluations_per_step > 0.0 { evaluations / cost.evaluations_per_step } else { 1.0 };
-        measurement.nanoseconds_per_step = Some(cost.nanoseconds_per_step * share);
+        Arc::make_mut(measurement).nanoseconds_per_step = Some(cost.nanoseconds_per_step * share);
     }
 }

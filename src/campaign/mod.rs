@@ -8,6 +8,7 @@ mod costs;
 mod rows;
 mod scaling;
 
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
@@ -98,11 +99,11 @@ impl Campaign<'_> {
             ));
             records.verdicts.extend(judge_reference(&prepared));
             for cell in own.into_iter().flatten() {
-                records.measurements.extend(cell.measurements);
+                records.measurements.extend(cell.measurements.into_iter().map(Arc::new));
                 records.orders.extend(cell.orders);
                 records.drifts.extend(cell.drifts);
                 records.verdicts.extend(cell.verdicts);
-                records.series.extend(cell.series);
+                records.series.extend(cell.series.into_iter().map(Arc::new));
             }
         }
         records

@@ -1,6 +1,7 @@
 //! `polhode judge`: a trajectory that another program wrote.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use clap::{Args, ValueEnum};
 use comfy_table::{ContentArrangement, Table, presets};
@@ -85,7 +86,7 @@ pub(super) fn judge(options: &Options) -> Result<u8, Failure> {
             schema: SCHEMA.to_owned(),
             polhode: env!("CARGO_PKG_VERSION").to_owned(),
             complete: true,
-            measurements: judgement.measurements(&scene, &name),
+            measurements: judgement.measurements(&scene, &name).into_iter().map(Arc::new).collect(),
             verdicts: vec![judgement.verdict(&scene, &name)],
             ..Records::default()
         };

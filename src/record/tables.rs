@@ -103,6 +103,8 @@ impl Formatter for RowALine {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
     use super::*;
     use crate::record::{Measurement, Series};
 
@@ -114,7 +116,7 @@ mod tests {
 
     #[test]
     fn json_has_a_line_a_key_and_a_line_a_row_and_is_read_back_to_the_letter() {
-        let series = Series { time_s: vec![0.0, 0.5], value: vec![], ..Series::default() };
+        let series = Arc::new(Series { time_s: vec![0.0, 0.5], value: vec![], ..Series::default() });
         let records = Records { series: vec![series.clone(), series], ..Records::default() };
         let text = text(&records);
         let lines: Vec<&str> = text.lines().collect();
@@ -126,14 +128,18 @@ mod tests {
         assert_eq!(rows.len(), 2);
         assert!(rows[0].ends_with("\"time_s\":[0.0,0.5],\"value\":[]},"), "{}", rows[0]);
         assert_eq!(serde_json::from_str::<Records>(&text).expect("records"), records);
-        assert_eq!(serde_json::to_value(&records).expect("a value"), serde_json::from_str::<serde_json::Value>(&text).expect("a value"));
+        assert_eq!(
+            serde_json::to_value(&records).expect("a value"),
+            serde_json::from_str::<serde_json::Value>(&text).expect("a value")
+        );
     }
 
     #[test]
     fn csv_has_a_header_and_a_row_a_measurement() {
         let folder = tempfile::tempdir().expect("a folder");
         let path = folder.path().join("records.csv");
-        let row = Measurement { value: Some(0.25), why: Some("a, b".into()), ..Measurement::default() };
+        let row =
+            Arc::new(Measurement { value: Some(0.25), why: Some("a, b".into()), ..Measurement::default() });
         let records = Records { measurements: vec![row.clone(), row], ..Records::default() };
         write_csv(&path, &records).expect("written");
         let text = std::fs::read_to_string(&path).expect("text");

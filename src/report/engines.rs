@@ -169,7 +169,11 @@ struct Page {
 }
 
 /// Writes the section as a page of its own, in Markdown, its pictures beside it.
-pub(super) fn page(records: &Records, figures: &[Figure], writer: impl Write) -> Result<(), minijinja::Error> {
+pub(super) fn page(
+    records: &Records,
+    figures: &[Figure],
+    writer: impl Write,
+) -> Result<(), minijinja::Error> {
     let page = Page {
         version: records.polhode.clone(),
         made_at: records.made_at.clone(),

@@ -4,6 +4,8 @@
 //! of simulated time, counted in force evaluations, or timed in nanoseconds. Errors between two rungs are read off the straight
 //! line through them on logarithmic axes; outside the ladder there is none.
 
+use std::sync::Arc;
+
 use crate::record::{Measurement, Records};
 use crate::report::survey;
 
@@ -82,13 +84,17 @@ pub(super) fn quantity(records: &Records, scene: &str) -> &'static str {
     let turns = |row: &Measurement| {
         row.scene == scene && row.metric == "orientation-end" && row.value.is_some_and(|value| value > 0.0)
     };
-    if records.measurements.iter().any(turns) { "orientation-end" } else { "body-point-end" }
+    if records.measurements.iter().map(Arc::as_ref).any(turns) { "orientation-end" } else { "body-point-end" }
 }
 
 /// The ladders of every scheme that was run on a scene, for an error; those without any are left out.
 pub(super) fn ladders<'a>(records: &'a Records, scene: &str, metric: &str, work: Work) -> Vec<Ladder<'a>> {
-    let rows: Vec<&Measurement> =
-        records.measurements.iter().filter(|row| row.scene == scene && row.metric == metric).collect();
+    let rows: Vec<&Measurement> = records
+        .measurements
+        .iter()
+        .map(Arc::as_ref)
+        .filter(|row| row.scene == scene && row.metric == metric)
+        .collect();
     let family = |name: &str| {
         records.schemes.iter().find(|row| row.name == name).map_or("", |row| row.family.as_str())
     };

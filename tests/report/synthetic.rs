@@ -1,5 +1,7 @@
 //! Records that no campaign wrote: the size of a real one, and every kind of trouble that it may have.
 
+use std::sync::Arc;
+
 use polhode::record::{
     Drift, Machine, Measurement, Order, Records, ReferenceRow, Ruling, SCHEMA, SceneRow, SchemeRow, Series,
     Verdict,
@@ -228,19 +230,19 @@ fn add(records: &mut Records, scene: usize, scheme: &SchemeRow) {
             records.verdicts.push(verdict(scene, scheme, "order", &order));
             records.orders.push(order);
         }
-        records.measurements.extend(rows);
+        records.measurements.extend(rows.into_iter().map(Arc::new));
     }
     for rung in 0..LADDER {
         let mut row = measurement(scene, scheme, rung, "rotational-energy-drift-rate", "1/s");
         let sign = if scene % 4 == 1 { -1.0 } else { 1.0 };
         let size = 10f64.powf(2.0 * chance(&format!("drift {scene}")) - 2.0);
         row.value = (scene.is_multiple_of(2)).then(|| sign * size * row.step_s.powi(scheme.order as i32 + 1));
-        records.measurements.push(row);
+        records.measurements.push(row.into());
     }
     if scene.is_multiple_of(2) {
         records.drifts.push(drift(scene, scheme));
     }
-    records.series.extend(series(scene, scheme));
+    records.series.extend(series(scene, scheme).into_iter().map(Arc::new));
 }
 
 /// Records of the size and the kinds of trouble that a campaign has.

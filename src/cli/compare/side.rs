@@ -1,5 +1,7 @@
 //! One of the two that are compared: a scheme of a campaign, or a records file.
 
+use std::sync::Arc;
+
 use crate::record::{Drift, Measurement, Order, Records};
 
 /// The rows of one side.
@@ -45,7 +47,7 @@ impl Side {
     }
 
     pub(super) fn runs(&self, scene: &str, scheme: &str) -> Vec<&Measurement> {
-        let rows = self.records.measurements.iter();
+        let rows = self.records.measurements.iter().map(Arc::as_ref);
         rows.filter(|row| row.scene == scene && row.scheme == scheme).collect()
     }
 

@@ -1,5 +1,7 @@
 //! A section of the report: one scene.
 
+use std::sync::Arc;
+
 use serde::Serialize;
 
 use crate::record::{Measurement, Records, ReferenceRow, SceneRow};
@@ -64,7 +66,8 @@ impl Scene {
     pub(super) fn new(records: &Records, figures: &[Figure], name: &str, ranking: Option<Ranking>) -> Scene {
         let verdicts = records.verdicts.iter().filter(|row| row.scene == name);
         let worst = verdicts.clone().map(survey::Outcome::of).min();
-        let rows: Vec<&Measurement> = records.measurements.iter().filter(|row| row.scene == name).collect();
+        let rows: Vec<&Measurement> =
+            records.measurements.iter().map(Arc::as_ref).filter(|row| row.scene == name).collect();
         let schemes = survey::distinct(rows.iter().map(|row| row.scheme.as_str()));
         Scene {
             name: name.into(),

@@ -1,5 +1,7 @@
 //! The tables of the report: schemes, orders, drifts.
 
+use std::sync::Arc;
+
 use serde::Serialize;
 
 use crate::record::{Drift, Measurement, Order, Records, SchemeRow};
@@ -185,7 +187,7 @@ pub(super) fn broken_runs(records: &Records) -> Vec<BrokenRun> {
     let broken = records.measurements.iter().filter(|row| row.status == "broken");
     let mut seen = std::collections::HashSet::new();
     let first = broken.filter(|row| seen.insert((&row.scene, &row.scheme, row.step_s.to_bits(), &row.why)));
-    let run = |row: &Measurement| BrokenRun {
+    let run = |row: &Arc<Measurement>| BrokenRun {
         scene: row.scene.clone(),
         anchor: survey::file_stem(&row.scene),
         scheme: row.scheme.clone(),

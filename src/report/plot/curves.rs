@@ -1,5 +1,7 @@
 //! The curves of a convergence picture, gathered from the records.
 
+use std::sync::Arc;
+
 use crate::record::{Measurement, Order, Records};
 use crate::report::survey;
 
@@ -87,7 +89,8 @@ impl Quantity<'_> {
 
 /// The quantities of a scene at the end of the run.
 pub(super) fn at_the_end<'a>(records: &'a Records, scene: &str) -> Vec<Quantity<'a>> {
-    let here: Vec<&Measurement> = records.measurements.iter().filter(|row| row.scene == scene).collect();
+    let here: Vec<&Measurement> =
+        records.measurements.iter().map(Arc::as_ref).filter(|row| row.scene == scene).collect();
     let fitted = records.orders.iter().filter(|row| row.scene == scene).map(|row| row.quantity.as_str());
     let measured = here.iter().map(|row| row.metric.as_str());
     let usual = |name: &&str| USUAL.contains(name);

@@ -1,6 +1,8 @@
 //! How fast the rotational energy drifts, against the time step: a panel a scene, all on the same axes. Scenes
 //! whose energy changes by rounding alone are left out.
 
+use std::sync::Arc;
+
 use crate::record::{Drift, Measurement, Records};
 use crate::report::{number, survey};
 
@@ -71,7 +73,8 @@ fn entries(palette: &Palette) -> Vec<Entry> {
 
 /// The scenes with a drift rate that is not zero.
 fn drifting(records: &Records) -> Vec<Drifting<'_>> {
-    let all: Vec<&Measurement> = records.measurements.iter().filter(|row| row.metric == METRIC).collect();
+    let all: Vec<&Measurement> =
+        records.measurements.iter().map(Arc::as_ref).filter(|row| row.metric == METRIC).collect();
     let schemes = survey::schemes(records);
     let one = |scene| {
         let rows: Vec<&Measurement> = all.iter().filter(|row| row.scene == scene).copied().collect();

@@ -2,6 +2,8 @@
 //! has a colour and a marker, whatever its integrator; its integrators are named at the ends of their lines. Ours are
 //! grey; single precision has hollow markers.
 
+use std::sync::Arc;
+
 use crate::record::{EngineRow, Measurement, Records};
 use crate::report::{ranking, survey};
 
@@ -81,7 +83,7 @@ const OURS: Look = Look { ink: SOFT, text: INK, marker: Marker::Disc };
 fn lines<'a>(records: &'a Records, scene: &str, palette: &Palette) -> Vec<Line<'a>> {
     let metric = ranking::quantity(records, scene);
     let here = |row: &&Measurement| row.scene == scene && row.metric == metric && row.status == "ok";
-    let rows: Vec<&Measurement> = records.measurements.iter().filter(here).collect();
+    let rows: Vec<&Measurement> = records.measurements.iter().map(Arc::as_ref).filter(here).collect();
     let line = |scheme: &'a str| {
         let engine = records.engines.iter().find(|row| row.scheme == scheme);
         let words = match engine {

@@ -1,5 +1,7 @@
 //! Per scene: how far the energy and the angular momentum have moved, against time.
 
+use std::sync::Arc;
+
 use crate::record::{Records, Series};
 use crate::report::{number, survey};
 
@@ -29,7 +31,8 @@ struct Curve<'a> {
 
 /// The picture; `None` where the scene has no series.
 pub(super) fn sketch(records: &Records, palette: &Palette, scene: &str) -> Option<Sketch> {
-    let here: Vec<&Series> = records.series.iter().filter(|row| row.scene == scene).collect();
+    let here: Vec<&Series> =
+        records.series.iter().map(Arc::as_ref).filter(|row| row.scene == scene).collect();
     let quantities = survey::distinct(here.iter().map(|row| row.quantity.as_str()));
     if quantities.is_empty() {
         return None;

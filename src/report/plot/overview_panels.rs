@@ -1,5 +1,7 @@
 //! The two panels of the overview.
 
+use std::sync::Arc;
+
 use crate::record::{Measurement, Order, Records};
 use crate::report::{number, survey};
 
@@ -78,7 +80,7 @@ pub(super) fn draw_errors(
 fn ladders<'a>(records: &'a Records, palette: &Palette<'a>, (scenes, quantity): Shown) -> Vec<Curve<'a>> {
     let of_scene = |scene: &&str| {
         let here = |row: &&Measurement| row.scene == **scene && row.metric == quantity;
-        let rows: Vec<&Measurement> = records.measurements.iter().filter(here).collect();
+        let rows: Vec<&Measurement> = records.measurements.iter().map(Arc::as_ref).filter(here).collect();
         let fit = |scheme| survey::order(records, scene, scheme, quantity);
         let all: Vec<Curve> =
             palette.schemes().iter().map(|name| curves::curve(name, &rows, fit(name))).collect();

@@ -1,6 +1,8 @@
 //! A picture drawn strip by strip: pixels of one strip at a time are in memory, each the same as if the whole were drawn at once.
 
-use plotters_backend::{BackendColor, BackendCoord, BackendStyle, DrawingBackend, DrawingErrorKind, rasterizer};
+use plotters_backend::{
+    BackendColor, BackendCoord, BackendStyle, DrawingBackend, DrawingErrorKind, rasterizer,
+};
 
 /// A backend of the whole picture's size that keeps the rows of one strip and lets all others go.
 pub(super) struct Strip<B> {
