@@ -7,10 +7,9 @@
 //! every machine gives the same numbers. The columns are filled up with points without mass.
 
 use nalgebra::{Matrix3, Vector3};
-use pulp::Simd;
 
 use super::forces::Arms;
-use crate::number::{Eighths, Lanes, Registers};
+use crate::number::{Registers, Row, Work};
 use crate::rotation::formulas;
 
 /// Parts of a sum.
@@ -114,7 +113,7 @@ pub(super) fn turn(
     masses: &[f64],
     into: &mut Columns,
 ) -> Sums {
-    registers.by_eights(Turn { change, from, masses, into })
+    registers.by_eight(Turn { change, from, masses, into })
 }
 
 struct Turn<'a> {
@@ -124,37 +123,28 @@ struct Turn<'a> {
     into: &'a mut Columns,
 }
 
-impl Eighths for Turn<'_> {
+impl Work for Turn<'_> {
     type Output = Sums;
 
     #[inline(always)]
-    fn with_registers<S: Simd, const R: usize>(self, simd: S) -> Sums {
-        let x = S::as_simd_f64s(&self.from.x).0;
-        let y = S::as_simd_f64s(&self.from.y).0;
-        let z = S::as_simd_f64s(&self.from.z).0;
-        let x1 = S::as_mut_simd_f64s(&mut self.into.x).0;
-        let y1 = S::as_mut_simd_f64s(&mut self.into.y).0;
-        let z1 = S::as_mut_simd_f64s(&mut self.into.z).0;
-        let masses = S::as_simd_f64s(self.masses).0;
-        let count = masses.len();
-        let [p, q, r] = self.change;
-        let change = [splat::<S, R>(simd, p), splat(simd, q), splat(simd, r)];
-        let zero = Lanes::splat(simd, 0.0);
+    fn with_rows<T: Row>(self, proof: T::Proof) -> Sums {
+        let Turn { change, from, masses, into } = self;
+        let [x, y, z, masses] = [&from.x, &from.y, &from.z, masses].map(T::chunks);
+        let [x1, y1, z1] = [&mut into.x, &mut into.y, &mut into.z].map(|column| T::chunks_mut(column));
+        let change = change.map(|row| row.map(|entry| T::splat(proof, entry)));
+        let zero = T::splat(proof, 0.0);
         let (mut squares, mut products) = ([zero; 3], [zero; 3]);
-        let mut at = 0;
-        while at < count {
-            let before =
-                [Lanes::take(simd, &x[at..]), Lanes::take(simd, &y[at..]), Lanes::take(simd, &z[at..])];
+        for at in 0..masses.len() {
+            let before = [T::load(proof, &x[at]), T::load(proof, &y[at]), T::load(proof, &z[at])];
             let moved = formulas::apply(&change, before);
             let [a, b, c] = [before[0] + moved[0], before[1] + moved[1], before[2] + moved[2]];
-            a.put(&mut x1[at..]);
-            b.put(&mut y1[at..]);
-            c.put(&mut z1[at..]);
-            let m = Lanes::take(simd, &masses[at..]);
+            a.store(&mut x1[at]);
+            b.store(&mut y1[at]);
+            c.store(&mut z1[at]);
+            let m = T::load(proof, &masses[at]);
             let (ma, mb, mc) = (m * a, m * b, m * c);
             squares = [squares[0] + ma * a, squares[1] + mb * b, squares[2] + mc * c];
             products = [products[0] + mb * c, products[1] + mc * a, products[2] + ma * b];
-            at += R;
         }
         let [xx, yy, zz] = squares;
         let [yz, zx, xy] = products;
@@ -166,14 +156,9 @@ impl Eighths for Turn<'_> {
 }
 
 #[inline(always)]
-fn splat<S: Simd, const R: usize>(simd: S, row: &[f64; 3]) -> [Lanes<S, R>; 3] {
-    [Lanes::splat(simd, row[0]), Lanes::splat(simd, row[1]), Lanes::splat(simd, row[2])]
-}
-
-#[inline(always)]
-fn total<S: Simd, const R: usize>(sum: Lanes<S, R>) -> f64 {
+fn total<T: Row>(sum: T) -> f64 {
     let mut parts = [0.0; PARTS];
-    sum.store(&mut parts);
+    sum.store(&mut T::chunks_mut(&mut parts)[0]);
     together(parts)
 }
 

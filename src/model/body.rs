@@ -6,9 +6,18 @@
 //! A body given by its inertia is stood for by the fewest mass points that have it: one more than the rank of
 //! P, so four for a solid, three for a plate, two for a rod, one for a point.
 
-use nalgebra::{Matrix3, SymmetricEigen, Vector3};
+mod error;
+mod fewest;
+mod moments;
+
+use nalgebra::{Matrix3, Vector3};
 
 use crate::rotation::{self, Rotation};
+pub use error::BodyError;
+use fewest::fewest_points;
+use moments::{
+    check_moments, principal_axes, shape_of_moments, shape_of_points, symmetric, thin_axis_outside,
+};
 
 /// Above this ratio of moments, I Ω = L no longer determines the spin about the smallest one in f64.
 pub const LARGEST_CONDITION: f64 = 1e12;
@@ -55,64 +64,6 @@ pub struct Body {
     pub shape: Shape,
     /// Whether a point of it is fixed in the world.
     pub pivoted: bool,
-}
-
-/// A body that cannot be.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum BodyError {
-    /// No mass points.
-    #[error("a body needs at least one mass point")]
-    Empty,
-    /// A mass that is not positive.
-    #[error("mass {mass} of point {index} is not a positive number")]
-    Mass {
-        /// Index of the point.
-        index: usize,
-        /// Its mass [kg].
-        mass: f64,
-    },
-    /// An inertia that is not symmetric.
-    #[error("inertia is not symmetric: entry ({row}, {column}) differs from its mirror by {difference:e}")]
-    Asymmetric {
-        /// Row, from 0.
-        row: usize,
-        /// Column, from 0.
-        column: usize,
-        /// Difference [kg m²].
-        difference: f64,
-    },
-    /// A moment of inertia below zero.
-    #[error("principal moment {moment} is negative")]
-    NegativeMoment {
-        /// The moment [kg m²].
-        moment: f64,
-    },
-    /// Moments that break the triangle inequality.
-    #[error(
-        "no positive masses have the principal moments {smallest}, {middle}, {largest}: the largest must not \
-         exceed the sum of the others; set unphysical_inertia = true to admit them"
-    )]
-    Triangle {
-        /// Smallest moment [kg m²].
-        smallest: f64,
-        /// Middle moment [kg m²].
-        middle: f64,
-        /// Largest moment [kg m²].
-        largest: f64,
-    },
-    /// Moments too far apart, but not those of a rod.
-    #[error(
-        "the principal moments {smallest:e} and {largest:e} differ by more than 1e12: too thin for f64, too thick for a rod"
-    )]
-    Condition {
-        /// Smallest moment [kg m²].
-        smallest: f64,
-        /// Largest moment [kg m²].
-        largest: f64,
-    },
-    /// Numbers whose products leave the range of f64.
-    #[error("mass and size give an inertia outside the range of f64")]
-    Range,
 }
 
 impl Body {
@@ -240,128 +191,6 @@ pub fn inertia_of(points: &[MassPoint]) -> Matrix3<f64> {
 /// |x|² E − x xᵀ [m²].
 pub fn second_moment_inertia(x: &Vector3<f64>) -> Matrix3<f64> {
     Matrix3::from_diagonal_element(x.norm_squared()) - x * x.transpose()
-}
-
-/// A rod where no point is off the line through the origin and the farthest point by more than rounding, or
-/// by so little that the moments differ by more than [`LARGEST_CONDITION`].
-fn shape_of_points(points: &[MassPoint], rounding: f64) -> Shape {
-    let farthest = points
-        .iter()
-        .map(|p| p.position)
-        .fold(Vector3::zeros(), |a, b| if b.norm() > a.norm() { b } else { a });
-    let size = rotation::length(&farthest);
-    let direction = farthest / size;
-    let off_line = points.iter().map(|p| rotation::length(&p.position.cross(&direction))).fold(0.0, f64::max);
-    if off_line <= rounding.max(size / LARGEST_CONDITION.sqrt()) {
-        Shape::Rod { direction }
-    } else {
-        Shape::Extended
-    }
-}
-
-fn shape_of_moments(inertia: &Matrix3<f64>) -> Result<Shape, BodyError> {
-    let (moments, axes) = principal_axes(inertia);
-    let (smallest, largest) = (moments.min(), moments.max());
-    if largest == 0.0 {
-        return Ok(Shape::Point);
-    }
-    if smallest <= 64.0 * f64::EPSILON * largest {
-        return Ok(Shape::Rod { direction: axes * Vector3::ith(moments.iamin(), 1.0) });
-    }
-    if largest > LARGEST_CONDITION * smallest {
-        return Err(BodyError::Condition { smallest, largest });
-    }
-    Ok(Shape::Extended)
-}
-
-fn symmetric(inertia: &Matrix3<f64>) -> Result<Matrix3<f64>, BodyError> {
-    let scale = inertia.amax();
-    for (row, column) in [(0, 1), (0, 2), (1, 2)] {
-        let difference = inertia[(row, column)] - inertia[(column, row)];
-        if difference.abs() > 1e-12 * scale {
-            return Err(BodyError::Asymmetric { row, column, difference });
-        }
-    }
-    Ok((inertia + inertia.transpose()) * 0.5)
-}
-
-/// Principal moments and the rotation that takes principal axes to the axes of `inertia`.
-///
-/// A diagonal inertia keeps its own axes, so that bodies given by principal moments stay exact.
-fn principal_axes(inertia: &Matrix3<f64>) -> (Vector3<f64>, Rotation) {
-    let scale = inertia.amax();
-    let off_diagonal = inertia[(0, 1)].abs().max(inertia[(0, 2)].abs()).max(inertia[(1, 2)].abs());
-    if scale == 0.0 || !scale.is_finite() || off_diagonal == 0.0 {
-        return (inertia.diagonal(), Rotation::identity());
-    }
-    let eigen = SymmetricEigen::new(inertia / scale);
-    let mut axes = eigen.eigenvectors;
-    if axes.determinant() < 0.0 {
-        axes.column_mut(2).neg_mut();
-    }
-    (eigen.eigenvalues * scale, rotation::from_matrix(&axes))
-}
-
-/// Names the axes anew, in their cyclic order, where the second has by far the smallest moment: `rotation::formulas` computes
-/// Ω as L over the second moment and what the other two axes take from that, which is lost in its rounding if L over the
-/// second moment is the largest number by far.
-fn thin_axis_outside(moments: Vector3<f64>, principal: Rotation) -> (Vector3<f64>, Rotation) {
-    if moments.y == 0.0 || 4.0 * moments.y > moments.x.min(moments.z) {
-        return (moments, principal);
-    }
-    // A third of a turn about the diagonal, x to y to z to x: exact.
-    let third = Rotation::new_unchecked(nalgebra::Quaternion::new(0.5, 0.5, 0.5, 0.5));
-    (Vector3::new(moments.y, moments.z, moments.x), principal * third)
-}
-
-fn check_moments(moments: &Vector3<f64>, unphysical: bool) -> Result<(), BodyError> {
-    let mut sorted = [moments[0], moments[1], moments[2]];
-    sorted.sort_by(f64::total_cmp);
-    let [smallest, middle, largest] = sorted;
-    // Rounding of an eigenvalue is a few u of the largest one.
-    let rounding = 16.0 * f64::EPSILON * largest.abs();
-    if smallest < -rounding {
-        return Err(BodyError::NegativeMoment { moment: smallest });
-    }
-    if !unphysical && largest > smallest + middle + rounding {
-        return Err(BodyError::Triangle { smallest, middle, largest });
-    }
-    Ok(())
-}
-
-/// The fewest mass points with this mass and these principal moments, relative to `origin`; none where the
-/// moments are unphysical.
-///
-/// With a_i² = (I_j + I_k − I_i)/(2M) the second moments of the mass are M a_i². A solid takes the vertices
-/// (±a₁, ±a₂, ±a₃) of a tetrahedron, a plate an equilateral triangle stretched to √2 a, a rod ±a.
-fn fewest_points(
-    mass: f64,
-    moments: &Vector3<f64>,
-    axes: &Rotation,
-    origin: &Vector3<f64>,
-) -> Vec<MassPoint> {
-    let second = Vector3::repeat(moments.sum() / 2.0) - moments;
-    let rounding = 64.0 * f64::EPSILON * moments.amax();
-    if second.min() < -rounding {
-        return Vec::new();
-    }
-    let a = second.map(|p| if p <= rounding { 0.0 } else { (p / mass).sqrt() });
-    let kept: Vec<usize> = (0..3).filter(|i| a[*i] > 0.0).collect();
-    let vertices: Vec<Vector3<f64>> = match kept[..] {
-        [] => vec![Vector3::zeros()],
-        [i] => [1.0, -1.0].map(|s| Vector3::ith(i, s * a[i])).to_vec(),
-        [i, j] => {
-            let (cosine, sine) = (0.5f64.sqrt(), 1.5f64.sqrt());
-            [(2f64.sqrt(), 0.0), (-cosine, sine), (-cosine, -sine)]
-                .map(|(x, y)| Vector3::ith(i, x * a[i]) + Vector3::ith(j, y * a[j]))
-                .to_vec()
-        }
-        _ => [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]]
-            .map(|signs| Vector3::from(signs).component_mul(&a))
-            .to_vec(),
-    };
-    let share = mass / vertices.len() as f64;
-    vertices.iter().map(|v| MassPoint { mass: share, position: axes * v - origin }).collect()
 }
 
 #[cfg(test)]

@@ -1,12 +1,19 @@
 //! A body, its forces and its start: what a scene says, checked and ready to be stepped.
 
+mod check;
+mod error;
+mod reduced;
+
 use nalgebra::Vector3;
 
 use super::body::{Body, Shape};
-use super::forces::{Attachment, Forces, Law, PerPoint, Spring, TorqueAxes};
+use super::forces::{Forces, Law};
 use super::placed::Placed;
 use super::{Falling, Forced, Free, PointCloud, Rotor, Snapshot};
-use crate::rotation::{self, Rotation, formulas};
+use crate::rotation::{self, Rotation};
+use check::{check_law, check_momentum};
+pub use error::SystemError;
+pub use reduced::{AnyModel, Rotational};
 
 /// How the initial rotation is given.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,73 +37,6 @@ pub struct Start {
     pub angular_momentum: Vector3<f64>,
 }
 
-/// A scene that contradicts itself.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum SystemError {
-    /// L of a rod has a part along it.
-    #[error(
-        "the body is a rod and the angular momentum has a part of {along:e} along it (|L| = {length:e}): no spin carries it; make it perpendicular to the rod"
-    )]
-    AlongRod {
-        /// Part along the rod [kg m²/s].
-        along: f64,
-        /// |L| [kg m²/s].
-        length: f64,
-    },
-    /// A torque about a rod.
-    #[error(
-        "the body is a rod and law '{law}' turns it about itself, which no spin can follow; write a torque in body \
-         axes across the rod, a moment along it, or a spring that is fastened on its line"
-    )]
-    TorqueAlongRod {
-        /// Index of the law.
-        index: usize,
-        /// Name of the law.
-        law: &'static str,
-    },
-    /// L of a single point.
-    #[error(
-        "the body is a single point and cannot carry an angular momentum of {length:e} about itself; remove it"
-    )]
-    PointMomentum {
-        /// |L| [kg m²/s].
-        length: f64,
-    },
-    /// A law that acts on points on a body that has none.
-    #[error("law '{law}' acts on mass points, and no positive masses have this body's inertia")]
-    NoPoints {
-        /// Index of the law.
-        index: usize,
-        /// Name of the law.
-        law: &'static str,
-    },
-    /// A list with a length other than the number of points.
-    #[error("law '{law}' has {given} values for {points} mass points")]
-    ListLength {
-        /// Index of the law.
-        index: usize,
-        /// Name of the law.
-        law: &'static str,
-        /// Values given.
-        given: usize,
-        /// Mass points of the body.
-        points: usize,
-    },
-    /// A point index out of range.
-    #[error("point {point} does not exist: the body has {points} mass points, counted from 0")]
-    PointIndex {
-        /// Index of the law.
-        index: usize,
-        /// Index given.
-        point: usize,
-        /// Mass points of the body.
-        points: usize,
-    },
-    /// The point form of a body that has none.
-    #[error("no positive masses have this body's inertia: it has no point form; use --model least")]
-    NoPointForm,
-}
-
 /// A body under forces, with its start.
 #[derive(Clone, Debug)]
 pub struct System {
@@ -108,68 +48,8 @@ pub struct System {
     pub start: Start,
 }
 
-/// Any of the models.
-#[derive(Clone, Debug)]
-pub enum AnyModel {
-    /// Neither force nor torque.
-    Free(Free),
-    /// Uniform gravity only.
-    Falling(Falling),
-    /// Torques without force.
-    Torque(Rotor),
-    /// A point fixed in the world.
-    Pivot(Rotor),
-    /// Forces on points.
-    Forced(Forced),
-    /// The note as written.
-    Points(PointCloud),
-}
-
-impl AnyModel {
-    /// Name as in records.
-    pub fn name(&self) -> &'static str {
-        match self {
-            AnyModel::Free(_) => "free",
-            AnyModel::Falling(_) => "falling",
-            AnyModel::Torque(_) => "torque",
-            AnyModel::Pivot(_) => "pivot",
-            AnyModel::Forced(_) => "forced",
-            AnyModel::Points(_) => "points",
-        }
-    }
-}
-
-/// What every reduced model knows about rotation: the body in its principal axes.
-#[derive(Clone, Debug)]
-pub struct Rotational {
-    /// Principal moments about the origin [kg m²].
-    pub moments: Vector3<f64>,
-    /// 1/moment about each principal axis [1/(kg m²)]; 0 where the body cannot spin.
-    pub inverse_moments: Vector3<f64>,
-    /// Takes principal axes to world axes at t = 0.
-    pub attitude: Rotation,
-    /// Takes body axes to principal axes.
-    body_to_principal: Rotation,
-}
-
-impl Rotational {
-    /// Ω = R I⁻¹ Rᵀ L [rad/s], world.
-    #[inline(always)]
-    pub fn spin(&self, attitude: &Rotation, momentum: &Vector3<f64>) -> Vector3<f64> {
-        let columns = formulas::outer_columns([attitude.w, attitude.i, attitude.j, attitude.k]);
-        formulas::spin(&columns, self.inverse_moments.into(), (*momentum).into()).into()
-    }
-
-    /// The orientation of the body axes.
-    pub fn orientation(&self, attitude: &Rotation) -> Rotation {
-        attitude * self.body_to_principal
-    }
-}
-
 /// Relative difference from which on two moments are two.
 const TWO_MOMENTS: f64 = 1e-9;
-/// Part along a rod, over the whole, that may still be rounding of what was given.
-const ALONG_ROD: f64 = 1e-9;
 
 impl System {
     /// Puts a body under laws from a start.
@@ -361,71 +241,5 @@ impl System {
             attitude: self.start.orientation * self.body.principal,
             body_to_principal,
         }
-    }
-}
-
-fn check_momentum(body: &Body, orientation: &Rotation, momentum: &Vector3<f64>) -> Result<(), SystemError> {
-    let length = rotation::length(momentum);
-    match body.shape {
-        Shape::Point if length != 0.0 => Err(SystemError::PointMomentum { length }),
-        Shape::Rod { direction } => {
-            let along = (orientation * direction).dot(momentum);
-            if along.abs() > ALONG_ROD * length {
-                Err(SystemError::AlongRod { along, length })
-            } else {
-                Ok(())
-            }
-        }
-        _ => Ok(()),
-    }
-}
-
-fn check_law(index: usize, law: &Law, body: &Body) -> Result<(), SystemError> {
-    let points = body.points.len();
-    if let Shape::Rod { direction } = body.shape
-        && turns_about(law, &direction, body.extent())
-    {
-        return Err(SystemError::TorqueAlongRod { index, law: law.name() });
-    }
-    if law.needs_points() && points == 0 {
-        return Err(SystemError::NoPoints { index, law: law.name() });
-    }
-    let list = match law {
-        Law::Drag(drag) => Some(&drag.coefficient),
-        Law::Lorentz(lorentz) => Some(&lorentz.charge),
-        _ => None,
-    };
-    if let Some(PerPoint::Each(values)) = list
-        && values.len() != points
-    {
-        return Err(SystemError::ListLength { index, law: law.name(), given: values.len(), points });
-    }
-    if let Law::Spring(spring) = law
-        && let Attachment::Point(point) = spring.attachment
-        && point >= points
-    {
-        return Err(SystemError::PointIndex { index, point, points });
-    }
-    Ok(())
-}
-
-/// Whether a law has a torque about a rod: one that is fixed in the world while the rod turns, one with a part along
-/// the rod, that of a moment with a part across it, or a spring fastened off its line. Forces on points and
-/// gravity-gradient torques have none.
-fn turns_about(law: &Law, direction: &Vector3<f64>, extent: f64) -> bool {
-    match law {
-        Law::Torque(torque) => [torque.constant, torque.cosine, torque.sine].iter().any(|amplitude| {
-            let along = amplitude.dot(direction).abs() > ALONG_ROD * rotation::length(amplitude);
-            along || (torque.axes == TorqueAxes::World && amplitude.amax() > 0.0)
-        }),
-        Law::Dipole(dipole) => {
-            let across = rotation::length(&dipole.moment.cross(direction));
-            across > ALONG_ROD * rotation::length(&dipole.moment)
-        }
-        Law::Spring(Spring { attachment: Attachment::At(place), .. }) => {
-            let off = rotation::length(&place.cross(direction));
-            off > ALONG_ROD * rotation::length(place).max(extent)
-        }
-        _ => false,
     }
 }

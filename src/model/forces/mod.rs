@@ -12,6 +12,8 @@ mod gravity;
 mod gravity_gradient;
 mod ground;
 mod lorentz;
+mod per_point;
+mod pose;
 mod spring;
 mod torque;
 
@@ -22,39 +24,15 @@ pub use gravity::Gravity;
 pub use gravity_gradient::GravityGradient;
 pub use ground::Ground;
 pub use lorentz::Lorentz;
+pub use per_point::PerPoint;
+pub use pose::{Arms, Cloud, Load, Pose};
 pub use spring::{Attachment, Spring};
 pub use torque::{Torque, TorqueAxes};
 
 use nalgebra::{Matrix3, Vector3};
 
 use super::body::Body;
-
-/// One value for every mass point, or one each: charges, drag coefficients.
-#[derive(Clone, Debug, PartialEq)]
-pub enum PerPoint {
-    /// The same for all.
-    Same(f64),
-    /// In the order of the points.
-    Each(Vec<f64>),
-}
-
-impl PerPoint {
-    /// The value of point `index`.
-    pub fn of(&self, index: usize) -> f64 {
-        match self {
-            PerPoint::Same(value) => *value,
-            PerPoint::Each(values) => values[index],
-        }
-    }
-
-    /// All of them times `factor`.
-    pub fn scaled(&self, factor: f64) -> PerPoint {
-        match self {
-            PerPoint::Same(value) => PerPoint::Same(value * factor),
-            PerPoint::Each(values) => PerPoint::Each(values.iter().map(|value| value * factor).collect()),
-        }
-    }
-}
+use pose::{each_point, sum_points};
 
 /// A force law as a scene states it.
 #[derive(Clone, Debug, PartialEq)]
@@ -122,99 +100,6 @@ impl Law {
     /// Whether the point form needs the direction of the body axes.
     pub fn needs_axes(&self) -> bool {
         matches!(self, Law::Torque(Torque { axes: TorqueAxes::Body, .. }) | Law::Dipole(_))
-    }
-}
-
-/// Force and torque about the origin.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Load {
-    /// F [N], world.
-    pub force: Vector3<f64>,
-    /// τ about the origin [N m], world.
-    pub torque: Vector3<f64>,
-}
-
-impl Load {
-    /// Adds a force that acts at `arm` from the origin [m], world.
-    pub fn push(&mut self, arm: &Vector3<f64>, force: &Vector3<f64>) {
-        self.force += force;
-        self.torque += arm.cross(force);
-    }
-}
-
-/// Where a body is and how it moves.
-#[derive(Clone, Copy, Debug)]
-pub struct Pose {
-    /// Takes principal axes to world axes.
-    pub axes: Matrix3<f64>,
-    /// Position of the origin [m], world.
-    pub origin: Vector3<f64>,
-    /// Velocity of the origin [m/s], world.
-    pub velocity: Vector3<f64>,
-    /// Ω [rad/s], world.
-    pub spin: Vector3<f64>,
-}
-
-impl Pose {
-    /// Velocity of the body point at `arm` from the origin, U + Ω × arm [m/s].
-    pub fn velocity_at(&self, arm: &Vector3<f64>) -> Vector3<f64> {
-        self.velocity + self.spin.cross(arm)
-    }
-}
-
-/// Arms of points [m], world, one by one or coordinate by coordinate.
-#[derive(Clone, Copy, Debug)]
-pub enum Arms<'a> {
-    /// A vector a point.
-    Listed(&'a [Vector3<f64>]),
-    /// A column a coordinate.
-    Columns {
-        /// Along the first axis.
-        x: &'a [f64],
-        /// Along the second.
-        y: &'a [f64],
-        /// Along the third.
-        z: &'a [f64],
-    },
-}
-
-impl Arms<'_> {
-    /// The arm of a point.
-    pub fn at(&self, k: usize) -> Vector3<f64> {
-        match self {
-            Arms::Listed(arms) => arms[k],
-            Arms::Columns { x, y, z } => Vector3::new(x[k], y[k], z[k]),
-        }
-    }
-}
-
-/// Mass points and massless markers of a body in motion, and what their laws need besides.
-pub struct Cloud<'a> {
-    /// X̃ of every mass point, then of every marker [m], world.
-    pub arms: Arms<'a>,
-    /// Lever arms of their forces [m], world: X̃ again, but in schemes that keep a force while its point moves.
-    pub levers: Arms<'a>,
-    /// Masses of the mass points [kg].
-    pub masses: &'a [f64],
-    /// Position of the origin [m], world.
-    pub origin: Vector3<f64>,
-    /// Velocity of the origin [m/s], world.
-    pub velocity: Vector3<f64>,
-    /// Ω [rad/s], world.
-    pub spin: Vector3<f64>,
-    /// Total mass [kg].
-    pub mass: f64,
-    /// Inertia about the origin [kg m²], world.
-    pub inertia: Matrix3<f64>,
-    /// Centre of mass from the origin [m], world.
-    pub center: Vector3<f64>,
-    /// Takes body axes to world axes; read by the laws of [`Law::needs_axes`] alone.
-    pub axes: Matrix3<f64>,
-}
-
-impl Cloud<'_> {
-    fn velocity_at(&self, arm: &Vector3<f64>) -> Vector3<f64> {
-        self.velocity + self.spin.cross(arm)
     }
 }
 
@@ -386,21 +271,6 @@ fn reduce(law: &Law, body: &Body) -> Reduced {
         Law::GravityGradient(law) => Reduced::GravityGradient(law.reduce(body)),
         Law::Ground(law) => Reduced::Ground(law.reduce(body)),
     }
-}
-
-fn each_point(
-    cloud: &Cloud,
-    load: &mut Load,
-    force: impl Fn(usize, &Vector3<f64>, &Vector3<f64>) -> Vector3<f64>,
-) {
-    for k in 0..cloud.masses.len() {
-        let arm = cloud.arms.at(k);
-        load.push(&cloud.levers.at(k), &force(k, &(cloud.origin + arm), &cloud.velocity_at(&arm)));
-    }
-}
-
-fn sum_points(cloud: &Cloud, potential: impl Fn(usize, &Vector3<f64>) -> f64) -> f64 {
-    (0..cloud.masses.len()).map(|k| potential(k, &(cloud.origin + cloud.arms.at(k)))).sum()
 }
 
 /// A vector in body axes, taken to principal axes.
