@@ -5,8 +5,12 @@
 //! (`null` on disk), never a NaN.
 
 pub mod stability;
+mod cost;
 mod engines;
+mod findings;
+mod subjects;
 mod tables;
+mod verdict;
 mod whole;
 
 use std::fs;
@@ -15,8 +19,12 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+pub use cost::{CostRow, ScalingRow};
 pub use engines::{EngineRow, PeerRow, Twin};
+pub use findings::{Drift, Measurement, Order, Series};
+pub use subjects::{ReferenceRow, SceneRow, SchemeRow};
 pub use tables::{write_csv, write_json};
+pub use verdict::{Ruling, Verdict};
 pub use whole::{WholeFile, write_whole};
 
 /// The schema that [`Records`] follows.
@@ -82,293 +90,6 @@ pub struct Machine {
     pub processor: String,
     /// Threads that may run at once.
     pub threads: usize,
-}
-
-/// A scene as the report prints it.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct SceneRow {
-    /// Name, kebab-case.
-    pub name: String,
-    /// One line.
-    pub title: String,
-    /// Why the scene is in the list.
-    pub why: String,
-    /// Duration of a run [s].
-    pub duration_s: f64,
-    /// The least model that determines the motion: free, falling, torque, pivot or forced.
-    pub model: String,
-    /// Mass points of the body; 0 where no positive masses stand for its inertia.
-    pub points: usize,
-    /// The force laws, in the order of the file.
-    pub laws: Vec<String>,
-    /// Why the order gate does not apply, if it does not.
-    pub not_for_order: Option<String>,
-    /// The sources of the reference solution.
-    pub references: Vec<ReferenceRow>,
-    /// Largest relative difference of a state between the least model and the mass points as written,
-    /// after 1,000 steps; `None` where the body has no points.
-    pub reduction_difference: Option<f64>,
-    /// Cost of a step on the mass points over its cost on the least model.
-    pub reduction_speedup: Option<f64>,
-}
-
-/// One source of a reference solution.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct ReferenceRow {
-    /// `stored`, `dop853`, `tsit45` or the name of a closed form.
-    pub source: String,
-    /// How it was made: method and tolerance, or file, digits and checksum.
-    pub detail: String,
-    /// What it is used for: `end`, `run` (the maximum over the run) or `check`.
-    pub role: String,
-    /// Largest disagreement with the other sources, as an orientation angle [rad]; `None` where there is none
-    /// to compare with.
-    pub disagreement_rad: Option<f64>,
-}
-
-/// A scheme's card as the report prints it.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct SchemeRow {
-    /// Name as on the command line.
-    pub name: String,
-    /// One line.
-    pub title: String,
-    /// Family of schemes.
-    pub family: String,
-    /// Claimed order of convergence.
-    pub order: u32,
-    /// Force evaluations a step.
-    pub evaluations: u32,
-    /// The claims, each in words.
-    pub claims: Vec<String>,
-    /// Keys in references/bibliography.bib.
-    pub source: String,
-    /// True where the scheme stands in rankings and tables of verdicts alone, and is not drawn beside the main ones.
-    #[serde(default)]
-    pub apart: bool,
-    /// Where the scheme fails, in one line, if that is on record.
-    #[serde(default)]
-    pub fails_where: Option<String>,
-}
-
-/// One number of one run.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Measurement {
-    /// Scene.
-    pub scene: String,
-    /// Scheme.
-    pub scheme: String,
-    /// Model that was run.
-    pub model: String,
-    /// Time step [s].
-    pub step_s: f64,
-    /// Steps taken.
-    pub steps: u64,
-    /// Metric, for example `orientation-end`.
-    pub metric: String,
-    /// Value in `unit`; `None` where the run broke or the metric does not apply.
-    pub value: Option<f64>,
-    /// Unit of `value` and `uncertainty`; `1` for pure numbers.
-    pub unit: String,
-    /// The larger of the reference's uncertainty and the measured rounding floor.
-    pub uncertainty: Option<f64>,
-    /// `ok`, `broken` or `not-applicable`.
-    pub status: String,
-    /// Reason, where `status` is not `ok`.
-    pub why: Option<String>,
-    /// Evaluations of the forces in the whole run.
-    pub force_evaluations: u64,
-    /// Wall-clock cost of a step; differs from run to run.
-    pub nanoseconds_per_step: Option<f64>,
-}
-
-/// What a step of a scheme costs on a kind of scene, timed alone on the machine; differs from run to run and decides nothing.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct CostRow {
-    /// Scheme.
-    pub scheme: String,
-    /// Kind of scene: `free`, `falling`, `torque or pivot`, `forced` or `points`.
-    pub kind: String,
-    /// Model that was run.
-    pub model: String,
-    /// The scene that stands for all of the same model, laws and number of points.
-    pub scene: String,
-    /// Time step [s].
-    pub step_s: f64,
-    /// Wall-clock cost of a step in the least block.
-    pub nanoseconds_per_step: f64,
-    /// In the median block.
-    pub median_nanoseconds_per_step: f64,
-    /// Evaluations of the forces a step, counted.
-    pub evaluations_per_step: f64,
-    /// Steps of a block.
-    pub steps_a_block: u64,
-    /// Blocks timed.
-    pub blocks: usize,
-    /// Time spent in them [s].
-    pub seconds: f64,
-    /// True for the second measurement of the same course: what it differs by is noise.
-    #[serde(default)]
-    pub again: bool,
-}
-
-/// A cost against a size.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct ScalingRow {
-    /// What grows: `points` (mass points of the body) or `cells` (schemes × scenes of a campaign).
-    pub what: String,
-    /// Scheme, or nothing for a campaign.
-    pub scheme: String,
-    /// Form of the model: `points` or `least`; nothing for a campaign.
-    pub form: String,
-    /// Threads.
-    pub threads: usize,
-    /// How many.
-    pub size: u64,
-    /// The cost in `unit`.
-    pub value: f64,
-    /// `ns/step` or `s`.
-    pub unit: String,
-}
-
-/// The fitted order of convergence of one quantity.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Order {
-    /// Scene.
-    pub scene: String,
-    /// Scheme.
-    pub scheme: String,
-    /// Quantity with the place it is taken at: `orientation-end`, `position-max`, …
-    pub quantity: String,
-    /// Least-squares slope of log error against log step; `None` where no window was found.
-    pub order: Option<f64>,
-    /// Lower end of its 95 % confidence interval.
-    pub low: Option<f64>,
-    /// Upper end of its 95 % confidence interval.
-    pub high: Option<f64>,
-    /// Leading error constant C = e/hᵖ with the claimed order p, in `unit`/sᵖ.
-    pub constant: Option<f64>,
-    /// Rungs of the ladder inside the fitted window.
-    pub rungs_used: usize,
-    /// Rungs left out: near the floor, before the asymptotic range, or broken.
-    pub rungs_dropped: usize,
-    /// The steps inside the fitted window [s].
-    #[serde(default)]
-    pub steps_used_s: Vec<f64>,
-    /// Errors below this are rounding or reference error, in `unit`.
-    #[serde(default)]
-    pub floor: Option<f64>,
-    /// Unit of the error.
-    #[serde(default)]
-    pub unit: String,
-    /// `fitted`, `exact`, `unsettled`, `too-few` or `broken`.
-    #[serde(default)]
-    pub status: String,
-    /// Reason, where `status` is not `fitted`.
-    #[serde(default)]
-    pub why: Option<String>,
-}
-
-/// How a conserved quantity drifts.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Drift {
-    /// Scene.
-    pub scene: String,
-    /// Scheme.
-    pub scheme: String,
-    /// Quantity: `rotational-energy`, `angular-momentum-magnitude`, …
-    pub quantity: String,
-    /// `exact`, `bounded`, `secular`, `growing` or `undecided`.
-    pub class: String,
-    /// For a secular drift: order in the step of its rate.
-    pub rate_order: Option<f64>,
-    /// Lower end of the 95 % confidence interval of `rate_order`.
-    pub low: Option<f64>,
-    /// Upper end of the 95 % confidence interval of `rate_order`.
-    pub high: Option<f64>,
-    /// Rate at the finest step that still shows one, in `unit`/s.
-    pub rate: Option<f64>,
-    /// The step that `rate` belongs to [s].
-    pub step_s: Option<f64>,
-    /// Largest deviation over the run at that step, in `unit`.
-    pub level: Option<f64>,
-    /// Unit of the quantity; `1` for relative changes.
-    pub unit: String,
-}
-
-/// Whether a claim holds.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Ruling {
-    /// The claim holds.
-    Pass,
-    /// The claim does not hold.
-    Fail,
-    /// The measurement cannot decide.
-    #[default]
-    Inconclusive,
-    /// The claim says nothing about this scene.
-    NotApplicable,
-    /// The run or its reference failed.
-    Broken,
-}
-
-impl Ruling {
-    /// The word that stands in records and tables.
-    pub fn word(self) -> &'static str {
-        match self {
-            Ruling::Pass => "pass",
-            Ruling::Fail => "fail",
-            Ruling::Inconclusive => "inconclusive",
-            Ruling::NotApplicable => "not-applicable",
-            Ruling::Broken => "broken",
-        }
-    }
-}
-
-/// One claim, judged.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Verdict {
-    /// Scene.
-    pub scene: String,
-    /// Scheme.
-    pub scheme: String,
-    /// Claim, for example `order`.
-    pub claim: String,
-    /// Quantity that the claim is about.
-    pub quantity: String,
-    /// The ruling.
-    pub verdict: Ruling,
-    /// What was measured.
-    pub measured: Option<f64>,
-    /// Lower end of its uncertainty.
-    pub low: Option<f64>,
-    /// Upper end of its uncertainty.
-    pub high: Option<f64>,
-    /// The reason in words, with bound and unit.
-    pub detail: String,
-    /// Reason why this failure is known and does not fail the gate, if it is.
-    #[serde(default)]
-    pub known_deviation: Option<String>,
-}
-
-/// A quantity against time.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Series {
-    /// Scene.
-    pub scene: String,
-    /// Scheme.
-    pub scheme: String,
-    /// Time step [s].
-    pub step_s: f64,
-    /// Quantity: `rotational-energy`, `total-energy`, `angular-momentum` (relative change of its magnitude), …
-    pub quantity: String,
-    /// Unit of `value`; `1` for relative changes.
-    pub unit: String,
-    /// Times [s].
-    pub time_s: Vec<f64>,
-    /// Values at those times.
-    pub value: Vec<f64>,
 }
 
 /// Reading or writing records failed.
