@@ -155,8 +155,9 @@ fn rows() -> Vec<Row> {
         ));
     }
     for registers in Registers::all() {
-        let name = format!("Peskin, {BODIES} free bodies, registers of {}", registers.numbers());
-        rows.push(row(&name, if registers.numbers() > 2 { "8" } else { "20" }, 1.0, batch(registers)));
+        let name = format!("Peskin, {BODIES} free bodies, {} registers", registers.name());
+        let wide = registers.name().starts_with("AVX");
+        rows.push(row(&name, if wide { "8" } else { "20" }, 1.0, batch(registers)));
     }
     rows
 }

@@ -1,12 +1,23 @@
 //! What formulas are written in that run on one body and on many at once: a number, or a row of them.
 //!
 //! A formula over [`Number`] takes the same sums and products in the same order for `f64` and for every lane of
-//! [`Lanes`], without fused ones, so that many bodies side by side give the numbers of one alone to the last bit, whatever
+//! a [`Row`], without fused ones, so that many bodies side by side give the numbers of one alone to the last bit, whatever
 //! the width of the registers.
+
+#[cfg(target_arch = "x86_64")]
+mod asked;
+mod common;
 
 use std::ops::{Add, Mul, Sub};
 
-use pulp::{Arch, Scalar, Simd, WithSimd};
+#[cfg(target_arch = "x86_64")]
+use pulp::Simd;
+#[cfg(target_arch = "x86_64")]
+use pulp::x86::{V3, V4};
+
+#[cfg(target_arch = "x86_64")]
+use asked::Asking;
+use common::Common;
 
 /// Sums and products.
 pub trait Number:
@@ -31,106 +42,34 @@ impl Number for f64 {
     }
 }
 
-/// Numbers side by side, one of each body: `R` registers of whatever width the machine has.
-#[derive(Clone, Copy, Debug)]
-pub struct Lanes<S: Simd, const R: usize> {
-    simd: S,
-    registers: [S::f64s; R],
-}
+/// Numbers side by side, one of each body.
+pub trait Row: Number {
+    /// Proof that the machine has the registers that they stand in.
+    type Proof: Copy;
 
-impl<S: Simd, const R: usize> Lanes<S, R> {
     /// How many.
-    pub const COUNT: usize = R * S::F64_LANES;
+    const COUNT: usize;
 
     /// The same in every lane.
-    #[inline(always)]
-    pub fn splat(simd: S, value: f64) -> Lanes<S, R> {
-        Lanes { simd, registers: [simd.splat_f64s(value); R] }
-    }
+    fn splat(proof: Self::Proof, value: f64) -> Self;
 
-    /// One number a lane; lanes beyond the end of `values` hold zero.
-    #[inline(always)]
-    pub fn load(simd: S, values: &[f64]) -> Lanes<S, R> {
-        let mut lanes = Lanes::splat(simd, 0.0);
-        for (register, values) in lanes.registers.iter_mut().zip(values.chunks(S::F64_LANES)) {
-            *register = simd.partial_load_f64s(values);
-        }
-        lanes
-    }
+    /// [`COUNT`](Row::COUNT) numbers in memory, as they are loaded and stored.
+    type Chunk: Copy;
 
-    /// The first `R` registers of a row.
-    #[inline(always)]
-    pub fn take(simd: S, row: &[S::f64s]) -> Lanes<S, R> {
-        let mut lanes = Lanes::splat(simd, 0.0);
-        lanes.registers.copy_from_slice(&row[..R]);
-        lanes
-    }
+    /// Numbers by the row; those left over at the end are none.
+    fn chunks(values: &[f64]) -> &[Self::Chunk];
 
-    /// Writes them over the first `R` registers of a row.
-    #[inline(always)]
-    pub fn put(self, row: &mut [S::f64s]) {
-        row[..R].copy_from_slice(&self.registers);
-    }
+    /// The same, to be written to.
+    fn chunks_mut(values: &mut [f64]) -> &mut [Self::Chunk];
 
-    /// Writes all lanes to `values`, which has room for them.
-    #[inline(always)]
-    pub fn store(self, values: &mut [f64]) {
-        for (register, values) in self.registers.iter().zip(S::as_mut_simd_f64s(values).0) {
-            *values = *register;
-        }
-    }
+    /// A number a lane.
+    fn load(proof: Self::Proof, chunk: &Self::Chunk) -> Self;
+
+    /// Writes every lane.
+    fn store(self, chunk: &mut Self::Chunk);
 
     /// The largest; NaN counts as none.
-    #[inline(always)]
-    pub fn largest(self) -> f64 {
-        let mut largest = f64::NEG_INFINITY;
-        for register in self.registers {
-            largest = largest.max(self.simd.reduce_max_f64s(register));
-        }
-        largest
-    }
-}
-
-macro_rules! lane_by_lane {
-    ($($operator:ident::$method:ident by $instruction:ident),*) => {$(
-        impl<S: Simd, const R: usize> $operator for Lanes<S, R> {
-            type Output = Lanes<S, R>;
-
-            #[inline(always)]
-            fn $method(mut self, other: Lanes<S, R>) -> Lanes<S, R> {
-                for i in 0..R {
-                    self.registers[i] = self.simd.$instruction(self.registers[i], other.registers[i]);
-                }
-                self
-            }
-        }
-    )*};
-}
-
-lane_by_lane!(Add::add by add_f64s, Sub::sub by sub_f64s, Mul::mul by mul_f64s);
-
-impl<S: Simd, const R: usize> Mul<f64> for Lanes<S, R> {
-    type Output = Lanes<S, R>;
-
-    #[inline(always)]
-    fn mul(self, factor: f64) -> Lanes<S, R> {
-        self * Lanes::splat(self.simd, factor)
-    }
-}
-
-impl<S: Simd, const R: usize> Number for Lanes<S, R> {
-    #[inline(always)]
-    fn like(self, value: f64) -> Lanes<S, R> {
-        Lanes::splat(self.simd, value)
-    }
-
-    #[inline(always)]
-    fn larger(mut self, other: Lanes<S, R>) -> Lanes<S, R> {
-        for i in 0..R {
-            self.registers[i] = self.simd.max_f64s(self.registers[i], other.registers[i]);
-        }
-        self
-    }
+    fn largest(self) -> f64;
 }
 
 /// The registers of this machine.
@@ -139,89 +78,76 @@ pub struct Registers(Width);
 
 #[derive(Clone, Copy, Debug)]
 enum Width {
-    /// Eight numbers each (AVX-512), four (AVX2), or one.
-    Known(Arch),
-    /// Two (SSE 4.2).
+    /// Eight numbers each.
     #[cfg(target_arch = "x86_64")]
-    Two(pulp::x86::V2),
+    Avx512(V4),
+    /// Four.
+    #[cfg(target_arch = "x86_64")]
+    Avx2(V3),
+    /// Two: what every machine has that this program was built for.
+    Common,
 }
 
-/// Work on eight numbers at a time, as many registers as that takes.
-pub trait Eighths {
+/// Work on rows of numbers.
+pub trait Work {
     /// What comes of it.
     type Output;
 
-    /// Does it with `R` registers of `S`, eight numbers in all.
-    fn with_registers<S: Simd, const R: usize>(self, simd: S) -> Self::Output;
+    /// Does it with rows of this kind.
+    fn with_rows<T: Row>(self, proof: T::Proof) -> Self::Output;
 }
 
 impl Registers {
     /// The widest that the machine has.
     pub fn widest() -> Registers {
-        #[cfg(target_arch = "x86_64")]
-        if let (Arch::Scalar, Some(two)) = (Arch::new(), pulp::x86::V2::try_new()) {
-            return Registers(Width::Two(two));
-        }
-        Registers(Width::Known(Arch::new()))
+        Registers::all().pop().unwrap_or(Registers(Width::Common))
     }
 
-    /// All that the machine has, from one number each on.
+    /// All that the machine has, the narrowest first.
     pub fn all() -> Vec<Registers> {
-        let mut all = vec![Registers(Width::Known(Arch::Scalar))];
+        #[cfg_attr(not(target_arch = "x86_64"), allow(unused_mut))]
+        let mut all = vec![Registers(Width::Common)];
         #[cfg(target_arch = "x86_64")]
         {
-            all.extend(pulp::x86::V2::try_new().map(|two| Registers(Width::Two(two))));
-            all.extend(pulp::x86::V3::try_new().map(|four| Registers(Width::Known(Arch::V3(four)))));
+            all.extend(V3::try_new().map(|four| Registers(Width::Avx2(four))));
+            all.extend(V4::try_new().map(|eight| Registers(Width::Avx512(eight))));
         }
-        all.push(Registers::widest());
         all
     }
 
-    /// How many numbers one of them holds.
-    pub fn numbers(self) -> usize {
+    /// What they are called.
+    pub fn name(self) -> &'static str {
         match self.0 {
             #[cfg(target_arch = "x86_64")]
-            Width::Known(Arch::V4(_)) => 8,
+            Width::Avx512(_) => "AVX-512",
             #[cfg(target_arch = "x86_64")]
-            Width::Known(Arch::V3(_)) => 4,
-            #[cfg(target_arch = "x86_64")]
-            Width::Two(_) => 2,
-            Width::Known(_) => 1,
+            Width::Avx2(_) => "AVX2",
+            Width::Common if cfg!(target_arch = "x86_64") => "SSE2",
+            Width::Common => "common",
         }
     }
 
-    /// Does work in them.
+    /// Does work with rows of two registers, so that one computes while the other waits.
     #[inline(always)]
-    pub fn dispatch<W: WithSimd>(self, work: W) -> W::Output {
+    pub fn by_two<W: Work>(self, work: W) -> W::Output {
         match self.0 {
-            Width::Known(arch) => arch.dispatch(work),
             #[cfg(target_arch = "x86_64")]
-            Width::Two(two) => Simd::vectorize(two, work),
+            Width::Avx512(eight) => Simd::vectorize(eight, Asking::<W, 2>(work)),
+            #[cfg(target_arch = "x86_64")]
+            Width::Avx2(four) => Simd::vectorize(four, Asking::<W, 2>(work)),
+            Width::Common => work.with_rows::<Common<1>>(()),
         }
     }
 
-    /// Does work on eight numbers at a time.
+    /// Does work with rows of eight numbers, as many registers as that takes.
     #[inline(always)]
-    pub fn by_eights<W: Eighths>(self, work: W) -> W::Output {
+    pub fn by_eight<W: Work>(self, work: W) -> W::Output {
         match self.0 {
             #[cfg(target_arch = "x86_64")]
-            Width::Known(Arch::V4(eight)) => Simd::vectorize(eight, Eight::<W, 1>(work)),
+            Width::Avx512(eight) => Simd::vectorize(eight, Asking::<W, 1>(work)),
             #[cfg(target_arch = "x86_64")]
-            Width::Known(Arch::V3(four)) => Simd::vectorize(four, Eight::<W, 2>(work)),
-            #[cfg(target_arch = "x86_64")]
-            Width::Two(two) => Simd::vectorize(two, Eight::<W, 4>(work)),
-            Width::Known(_) => Simd::vectorize(Scalar, Eight::<W, 8>(work)),
+            Width::Avx2(four) => Simd::vectorize(four, Asking::<W, 2>(work)),
+            Width::Common => work.with_rows::<Common<2>>(()),
         }
-    }
-}
-
-struct Eight<W, const R: usize>(W);
-
-impl<W: Eighths, const R: usize> WithSimd for Eight<W, R> {
-    type Output = W::Output;
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) -> W::Output {
-        self.0.with_registers::<S, R>(simd)
     }
 }

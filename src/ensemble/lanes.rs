@@ -9,14 +9,9 @@
 //! test holds them to the last bit. What the series of a turn do not reach, more than a radian in a step, they leave to
 //! the pages.
 
-use pulp::{Simd, WithSimd};
-
-use crate::number::{Lanes, Number, Registers};
+use crate::number::{Number, Registers, Row, Work};
 use crate::rotation::formulas;
 use crate::schemes::SideBySide;
-
-/// Registers of a lane: two, so that one computes while the other waits.
-const REGISTERS: usize = 2;
 
 /// A body as it is stepped: quaternion w, x, y, z, principal axes to world axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -37,7 +32,7 @@ pub(super) struct Lane {
 /// Takes `steps` steps with every body. False where a turn was larger than the series take: then the attitudes are
 /// worth nothing.
 pub(super) fn advance(registers: Registers, scheme: SideBySide, steps: u64, bodies: &mut [Lane]) -> bool {
-    registers.dispatch(Advance { scheme, steps, bodies })
+    registers.by_two(Advance { scheme, steps, bodies })
 }
 
 struct Advance<'a> {
@@ -46,18 +41,18 @@ struct Advance<'a> {
     bodies: &'a mut [Lane],
 }
 
-impl WithSimd for Advance<'_> {
+impl Work for Advance<'_> {
     type Output = bool;
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) -> bool {
+    fn with_rows<T: Row>(self, proof: T::Proof) -> bool {
         let mut within = true;
-        for group in self.bodies.chunks_mut(Lanes::<S, REGISTERS>::COUNT) {
+        for group in self.bodies.chunks_mut(T::COUNT) {
             let free = group.iter().all(|body| body.weight == [0.0; 3]);
             within &= if free {
-                group_steps::<S, false>(simd, self.scheme, self.steps, group)
+                group_steps::<T, false>(proof, self.scheme, self.steps, group)
             } else {
-                group_steps::<S, true>(simd, self.scheme, self.steps, group)
+                group_steps::<T, true>(proof, self.scheme, self.steps, group)
             };
         }
         within
@@ -69,44 +64,44 @@ const WIDEST: usize = 16;
 
 /// A row of one number of each body.
 #[inline(always)]
-fn row<S: Simd>(simd: S, group: &[Lane], part: fn(&Lane) -> f64) -> Lanes<S, REGISTERS> {
+fn row<T: Row>(proof: T::Proof, group: &[Lane], part: fn(&Lane) -> f64) -> T {
     let mut values = [0.0; WIDEST];
     for (value, body) in values.iter_mut().zip(group) {
         *value = part(body);
     }
-    Lanes::load(simd, &values)
+    T::load(proof, &T::chunks(&values)[0])
 }
 
 /// A vector of each body.
 macro_rules! vector {
-    ($simd:ident, $group:ident, $part:ident) => {
+    ($proof:ident, $group:ident, $part:ident) => {
         [
-            row($simd, $group, |body| body.$part[0]),
-            row($simd, $group, |body| body.$part[1]),
-            row($simd, $group, |body| body.$part[2]),
+            row($proof, $group, |body| body.$part[0]),
+            row($proof, $group, |body| body.$part[1]),
+            row($proof, $group, |body| body.$part[2]),
         ]
     };
 }
 
 #[inline(always)]
-fn group_steps<S: Simd, const TOPS: bool>(
-    simd: S,
+fn group_steps<T: Row, const TOPS: bool>(
+    proof: T::Proof,
     scheme: SideBySide,
     steps: u64,
     group: &mut [Lane],
 ) -> bool {
-    let mut bodies = Bodies::<Lanes<S, REGISTERS>, TOPS> {
-        inverse_moments: vector!(simd, group, inverse_moments),
-        weight: vector!(simd, group, weight),
-        center: vector!(simd, group, center),
-        step: row(simd, group, |body| body.step),
-        half_step: row(simd, group, |body| 0.5 * body.step),
-        quarter_step: row(simd, group, |body| 0.5 * (0.5 * body.step)),
-        largest: Lanes::splat(simd, 0.0),
+    let mut bodies = Bodies::<T, TOPS> {
+        inverse_moments: vector!(proof, group, inverse_moments),
+        weight: vector!(proof, group, weight),
+        center: vector!(proof, group, center),
+        step: row(proof, group, |body| body.step),
+        half_step: row(proof, group, |body| 0.5 * body.step),
+        quarter_step: row(proof, group, |body| 0.5 * (0.5 * body.step)),
+        largest: T::splat(proof, 0.0),
     };
-    let [i, j, k] = vector!(simd, group, attitude);
-    let attitude = [i, j, k, row(simd, group, |body| body.attitude[3])];
-    let mut now = State { attitude, momentum: vector!(simd, group, momentum) };
+    let [i, j, k] = vector!(proof, group, attitude);
+    let attitude = [i, j, k, row(proof, group, |body| body.attitude[3])];
+    let mut now = State { attitude, momentum: vector!(proof, group, momentum) };
     match scheme {
         SideBySide::Euler => {
             for _ in 0..steps {
@@ -121,13 +116,13 @@ fn group_steps<S: Simd, const TOPS: bool>(
     }
     let mut values = [0.0; WIDEST];
     for (i, part) in now.attitude.iter().enumerate() {
-        part.store(&mut values);
+        part.store(&mut T::chunks_mut(&mut values)[0]);
         for (body, value) in group.iter_mut().zip(values) {
             body.attitude[i] = value;
         }
     }
     for (i, part) in now.momentum.iter().enumerate() {
-        part.store(&mut values);
+        part.store(&mut T::chunks_mut(&mut values)[0]);
         for (body, value) in group.iter_mut().zip(values) {
             body.momentum[i] = value;
         }
