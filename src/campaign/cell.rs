@@ -27,8 +27,8 @@ pub(super) struct Cell {
     pub(super) drifts: Vec<Drift>,
     pub(super) verdicts: Vec<Verdict>,
     pub(super) series: Vec<Series>,
-    /// Difference from the point form, and how many times the point form's step costs.
-    pub(super) reduction: Option<(f64, Option<f64>)>,
+    /// Difference from the point form.
+    pub(super) reduction: Option<f64>,
 }
 
 pub(super) fn measure(
@@ -97,7 +97,7 @@ pub(super) fn measure(
         drifts: drifts(&names, drift.as_ref()),
         verdicts,
         series: if series { against_time(&names, scene, contestant, &evidence) } else { Vec::new() },
-        reduction: points.as_ref().map(|points| (points.difference, points.speedup)),
+        reduction: points.as_ref().map(|points| points.difference),
     }
 }
 

@@ -5,6 +5,7 @@
 
 mod cell;
 mod costs;
+mod reduction;
 mod rows;
 mod scaling;
 
@@ -21,6 +22,7 @@ use crate::scenes::Scene;
 use crate::simulate::Contestant;
 
 pub use costs::{add_costs, typical_step};
+pub use reduction::add_reductions;
 pub use scaling::add_scaling;
 
 /// Samples of a reference over the run.
@@ -91,11 +93,11 @@ impl Campaign<'_> {
             ..Records::default()
         };
         for (prepared, own) in scenes {
-            let points = own.iter().flatten().next().and_then(|cell| cell.reduction);
+            let reduction = own.iter().flatten().next().and_then(|cell| cell.reduction);
             records.scenes.push(rows::scene(
                 prepared.scene,
                 prepared.reference.as_ref().and_then(|one| one.as_ref().ok()),
-                points,
+                reduction,
             ));
             records.verdicts.extend(judge_reference(&prepared));
             for cell in own.into_iter().flatten() {

@@ -42,7 +42,7 @@ pub(super) fn engine(contestant: &Contestant) -> Option<EngineRow> {
 pub(super) fn scene(
     scene: &Scene,
     reference: Option<&Reference>,
-    points: Option<(f64, Option<f64>)>,
+    reduction_difference: Option<f64>,
 ) -> SceneRow {
     let references = reference.map_or(Vec::new(), |reference| {
         reference
@@ -66,8 +66,8 @@ pub(super) fn scene(
         laws: scene.system.forces.laws().iter().map(|law| law.name().to_owned()).collect(),
         not_for_order: scene.not_for_order.clone(),
         references,
-        reduction_difference: points.and_then(|(difference, _)| finite(difference)),
-        reduction_speedup: points.and_then(|(_, speedup)| speedup),
+        reduction_difference: reduction_difference.and_then(finite),
+        reduction_speedup: None,
     }
 }
 

@@ -76,6 +76,7 @@ fn records(options: &Options, quiet: bool) -> Result<Records, Failure> {
     // Alone, after all else: nothing may run beside a clock. The schemes that stand apart are timed in a full report only.
     talk(quiet, "timing steps, one thread");
     campaign::add_costs(&mut records, &scenes, &contestants, SECONDS_A_COST);
+    campaign::add_reductions(&mut records, &scenes);
     if selection.is_default() {
         campaign::add_scaling(&mut records, options.full);
     }

@@ -1,5 +1,5 @@
 //! The note as written, on every mass point, beside the least model: do they agree, does the body stay rigid, is
-//! L untouched, and what does the reduction save?
+//! L untouched?
 
 use super::rounding::TURNS;
 use crate::model::forces::Law;
@@ -34,8 +34,6 @@ pub struct PointRun {
     pub rounding: f64,
     /// Cost of the point form.
     pub outcome: Outcome,
-    /// Cost of a step of the point form over one of the least model, from the same run.
-    pub speedup: Option<f64>,
 }
 
 /// Runs both forms for 1,000 steps; `None` where the body has no points or the scheme takes none.
@@ -61,7 +59,6 @@ pub fn point_run(contestant: &Contestant, system: &System, duration: f64, fastes
     let rounding = rounding(contestant, system, &plan, &written.states, &scales);
     let momentum = rotation::length(&system.start.angular_momentum);
     let torque_rounding = f64::EPSILON * weight_on_arms(system) * step * STEPS as f64 / momentum;
-    let cost = |outcome: &Outcome| outcome.nanoseconds as f64 / outcome.steps.max(1) as f64;
     Some(PointRun {
         step,
         steps: STEPS,
@@ -70,7 +67,6 @@ pub fn point_run(contestant: &Contestant, system: &System, duration: f64, fastes
         momentum_change: (system.torque_free() && momentum > 0.0).then_some(change / momentum),
         torque_rounding,
         rounding,
-        speedup: (least.outcome.nanoseconds > 0).then(|| cost(&written.outcome) / cost(&least.outcome)),
         outcome: written.outcome,
     })
 }
