@@ -15,7 +15,10 @@ const TOP: f64 = 150.0;
 const MARGIN: f64 = 40.0;
 /// Column of the families' names.
 const NAMES: f64 = 270.0;
+/// Height of a cell, at least.
 const CELL: f64 = 118.0;
+/// Height of the picture, at least.
+const LEAST: f64 = 1000.0;
 /// Over the cells: the decades.
 const HEAD: f64 = 60.0;
 /// The decades of error, log₁₀.
@@ -32,6 +35,13 @@ struct Table<'a> {
     /// What stands before the decades.
     bound: &'static str,
     families: Vec<(&'a str, Vec<Cheapest<'a>>)>,
+}
+
+impl Table<'_> {
+    /// Where the last row ends: few families take higher cells.
+    fn bottom(&self) -> f64 {
+        (TOP + HEAD + self.families.len() as f64 * CELL).max(LEAST - 2.0 * MARGIN)
+    }
 }
 
 /// The scenes on which most schemes were run and that carry an order, of different models, with their ladders; the same scenes
@@ -93,13 +103,13 @@ pub(super) fn sketch(records: &Records, work: Work) -> Option<Sketch> {
     if table.families.len() < 2 {
         return None;
     }
-    let height = TOP + HEAD + table.families.len() as f64 * CELL + 2.0 * MARGIN;
+    let height = table.bottom() + 2.0 * MARGIN;
     let unit = match work {
         Work::Nanoseconds => "nanoseconds a simulated second",
         _ => "force evaluations a simulated second",
     };
     let title = format!("What an error costs, in {unit}");
-    let mut sketch = Sketch::new(WIDTH, height.max(1000.0), title.clone());
+    let mut sketch = Sketch::new(WIDTH, height, title.clone());
     let scenes = table.scenes.join(", ");
     let subtitle = format!(
         "cheapest of each family, mean over {scenes} · framed: of all · ≤: the coarsest step is enough"
@@ -110,12 +120,8 @@ pub(super) fn sketch(records: &Records, work: Work) -> Option<Sketch> {
 }
 
 fn draw(sketch: &mut Sketch, table: &Table) {
-    let cells = Frame {
-        left: MARGIN + NAMES,
-        top: TOP + HEAD,
-        right: WIDTH - MARGIN,
-        bottom: TOP + HEAD + table.families.len() as f64 * CELL,
-    };
+    let cells =
+        Frame { left: MARGIN + NAMES, top: TOP + HEAD, right: WIDTH - MARGIN, bottom: table.bottom() };
     let grid = (DECADES.len(), table.families.len());
     sketch.text(table.bound, (cells.left - 24.0, cells.top - 26.0), Anchor::End, panel::TICK);
     for (column, decade) in DECADES.iter().enumerate() {
@@ -131,7 +137,7 @@ fn draw(sketch: &mut Sketch, table: &Table) {
     let (low, high) = super::convergence_panel::bounds(&costs);
     let scale = Axis::logarithmic(low, high, 5);
     for (row, (family, costs)) in table.families.iter().enumerate() {
-        let y = cells.top + (row as f64 + 0.5) * CELL;
+        let (_, y) = cells.cell(grid, row * DECADES.len()).centre();
         let family = panel::fitted(family, panel::AXIS, NAMES - 30.0);
         sketch.text(&family, (cells.left - 24.0, y), Anchor::End, panel::AXIS);
         for (column, cheapest) in costs.iter().enumerate() {

@@ -1,5 +1,5 @@
-//! How fast the rotational energy drifts, against the time step: a panel a scene, all on the same axes. Scenes
-//! whose energy changes by rounding alone are left out.
+//! How fast the rotational energy drifts, against the time step: a panel a scene, each on axes of its own:
+//! steps and rates go with the spin, and spins differ by sixteen powers of ten. Scenes whose energy changes by rounding alone are left out.
 
 use std::sync::Arc;
 
@@ -20,7 +20,7 @@ const MARGIN: f64 = 30.0;
 const TOP: f64 = 160.0;
 /// Names of scenes over their panels.
 const NAME: Type = Type::bold(28.0, INK);
-const CELL: (f64, f64) = (640.0, 430.0);
+const CELL: (f64, f64) = (660.0, 520.0);
 
 struct Drifting<'a> {
     scene: &'a str,
@@ -36,27 +36,23 @@ pub(super) fn sketch(records: &Records, palette: &Palette) -> Option<Sketch> {
     let columns = drifting.len().clamp(3, 4);
     let grid = (columns, drifting.len().div_ceil(columns));
     let entries = entries(palette);
-    let width = (CELL.0 * columns as f64 + 2.0 * MARGIN + 120.0).max(1700.0);
+    let width = (CELL.0 * columns as f64 + 2.0 * MARGIN).max(1700.0);
     let strip = legend::height(&entries, width - 2.0 * MARGIN);
     let body = (CELL.1 * grid.1 as f64).max(700.0);
-    let height = TOP + body + 120.0 + strip + MARGIN;
+    let height = TOP + body + strip + 2.0 * MARGIN;
     let mut sketch =
         Sketch::new(width, height, "Drift rate of the rotational energy against the time step".into());
     let subtitle =
         "|relative drift rate| of the rotational energy [1/s] against the step, with its order in h";
     panel::headline(&mut sketch, "Energy drift", subtitle);
-    let all = Frame { left: MARGIN + 110.0, top: TOP, right: width - MARGIN, bottom: TOP + body };
-    let (x, y) = shared_axes(&drifting);
+    let all = Frame { left: MARGIN, top: TOP, right: width - MARGIN, bottom: TOP + body };
     for (index, one) in drifting.iter().enumerate() {
-        let frame = all.cell(grid, index).inside(10.0, 56.0, 10.0, 10.0);
-        let panel = Panel { frame, x: x.clone(), y: y.clone() };
+        let frame = all.cell(grid, index).inside(104.0, 56.0, 10.0, 100.0);
+        let (x, y) = axes(one);
+        let panel = Panel { frame, x, y };
         draw_panel(&mut sketch, records, palette, one, &panel);
-        if index % columns == 0 {
-            panel.label_y(&mut sketch);
-        }
-        if index + columns >= drifting.len() {
-            panel.label_x(&mut sketch, "step h [s]");
-        }
+        panel.label_y(&mut sketch);
+        panel.label_x(&mut sketch, "step h [s]");
     }
     legend::draw(&mut sketch, &entries, MARGIN + 20.0, height - strip - MARGIN / 2.0, width - 2.0 * MARGIN);
     Some(sketch)
@@ -104,11 +100,15 @@ fn signed<'a>(mut curve: Curve<'a>, rows: &[&Measurement]) -> Curve<'a> {
     curve
 }
 
-fn shared_axes(drifting: &[Drifting]) -> (Axis, Axis) {
-    let rungs = || drifting.iter().flat_map(|one| &one.curves).flat_map(|curve| &curve.rungs);
+/// The part of a panel's width that is left free of curves for the orders.
+const FREE: f64 = 0.4;
+
+fn axes(one: &Drifting) -> (Axis, Axis) {
+    let rungs = || one.curves.iter().flat_map(|curve| &curve.rungs);
     let (left, right) = bounds(&rungs().map(|rung| rung.step).collect::<Vec<_>>());
     let (low, high) = bounds(&rungs().map(|rung| rung.error).collect::<Vec<_>>());
-    (Axis::logarithmic(left - 0.15, right + 0.15, 5), Axis::logarithmic(low - 0.6, high + 0.6, 6))
+    let room = (right - left).max(0.5) * FREE / (1.0 - FREE);
+    (Axis::logarithmic(left - 0.15 - room, right + 0.15, 4), Axis::logarithmic(low - 0.6, high + 0.6, 6))
 }
 
 fn draw_panel(sketch: &mut Sketch, records: &Records, palette: &Palette, one: &Drifting, panel: &Panel) {

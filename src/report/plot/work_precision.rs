@@ -115,10 +115,7 @@ pub(super) fn sketch(
         Cast::Everyone if timed => " · every scheme, by family",
         Cast::Everyone => " · every scheme, by family; at the left those that were timed",
     };
-    let subtitle = format!(
-        "{scene} · {}{whose} · error at the end of the run · black: nothing is better for less work",
-        group.word()
-    );
+    let subtitle = format!("{scene} · {}{whose} · error at the end of the run", group.word());
     panel::headline(&mut sketch, title, &subtitle);
     let bottom = TOP + ROW * rows.len() as f64;
     let all = Frame { left: MARGIN, top: TOP, right: WIDTH - MARGIN, bottom };
