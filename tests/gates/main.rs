@@ -1,0 +1,11 @@
+//! Every gate at its bounds: cases whose numbers are made up, so that what must hold at a bound and what beyond it are known.
+//! `claims.rs` asks the same gates about real runs.
+
+mod case;
+mod counted;
+mod energies;
+mod exactness;
+mod flips;
+mod orders;
+mod sameness;
+mod whole;
