@@ -165,7 +165,8 @@ pub fn best_fit(from: &[Vector3<f64>], to: &[Vector3<f64>], weights: &[f64]) -> 
         return Rotation::identity();
     };
     let singular = decomposition.singular_values;
-    if singular[1] < 1e-12 * singular[0] {
+    // The largest entry of what was decomposed is 1, and so is the largest singular value at least.
+    if singular[1] < 1e-12 {
         let direction_from = v_transposed.row(0).transpose();
         let direction_to = u.column(0).into_owned();
         return between(&direction_from, &direction_to);

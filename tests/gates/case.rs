@@ -114,8 +114,11 @@ impl Made {
 
     /// The one verdict on a quantity of a claim.
     pub fn verdict(&self, claim: &str, quantity: &str) -> Verdict {
-        let mut found =
-            self.judge().into_iter().filter(|v| v.claim == claim && v.quantity == quantity).collect::<Vec<_>>();
+        let mut found = self
+            .judge()
+            .into_iter()
+            .filter(|v| v.claim == claim && v.quantity == quantity)
+            .collect::<Vec<_>>();
         assert_eq!(found.len(), 1, "{claim} {quantity}: {found:#?}");
         found.remove(0)
     }

@@ -55,7 +55,10 @@ fn implicit_equations_are_as_many_as_claimed_on_every_rung() {
     let verdict = solved([0; 6]).verdict("solves", "solves");
     assert_eq!((verdict.verdict, numbers(&verdict)), (Pass, [Some(2.0); 3]));
     assert!(verdict.detail.contains("5.0 iterations each"), "{}", verdict.detail);
-    assert_eq!([solved([0, 0, 0, 0, 0, 1]).ruling("solves", "solves"), solved([1; 6]).ruling("solves", "solves")], [Fail; 2]);
+    assert_eq!(
+        [solved([0, 0, 0, 0, 0, 1]).ruling("solves", "solves"), solved([1; 6]).ruling("solves", "solves")],
+        [Fail; 2]
+    );
     let verdict = solved([4, 0, 0, 0, 0, 0]).verdict("solves", "solves");
     assert_eq!((verdict.verdict, numbers(&verdict)), (Fail, [Some(2.5), Some(2.0), Some(2.0)]));
 }

@@ -44,7 +44,8 @@ fn fit(low: f64, slope: f64, high: f64) -> Option<Fit> {
 
 #[test]
 fn a_class_passes_where_it_is_claimed_and_is_undecided_where_none_is_told() {
-    let ruling = |claims, class| verdict(claims, drift(class, None, |_| ()), "rotational-energy-drift").verdict;
+    let ruling =
+        |claims, class| verdict(claims, drift(class, None, |_| ()), "rotational-energy-drift").verdict;
     let classes = [Class::Exact, Class::Bounded, Class::Secular, Class::Growing, Class::Undecided];
     assert_eq!(classes.map(|class| ruling(BOUNDED, class)), [Pass, Pass, Fail, Fail, Inconclusive]);
     assert_eq!(classes.map(|class| ruling(CONSTANT, class)), [Pass, Fail, Fail, Fail, Inconclusive]);
@@ -74,7 +75,8 @@ fn the_energy_does_not_pass_what_the_momentum_allows_but_for_rounding() {
 
 #[test]
 fn an_energy_that_falls_gains_at_most_ten_roundings() {
-    let at = |gain| verdict(FALLS, drift(Class::Secular, None, |rung| rung.gain = gain), "rotational-energy-gain");
+    let at =
+        |gain| verdict(FALLS, drift(Class::Secular, None, |rung| rung.gain = gain), "rotational-energy-gain");
     assert_eq!([at(0.0).verdict, at(9.99e-15).verdict, at(10.01e-15).verdict], [Pass, Pass, Fail]);
     assert_eq!(numbers(&at(0.0)), [Some(0.0), Some(0.0), Some(10.0)]);
 }
@@ -87,7 +89,15 @@ fn rate(claims: &'static [Claim], class: Class, order: Option<Fit>, rate: f64) -
 fn the_order_of_a_rate_lies_with_its_interval_in_the_band() {
     let ruling = |low, slope, high| rate(GROWS, Class::Secular, fit(low, slope, high), 1e-3).verdict;
     let (bottom, top) = (3.0 - BAND, 3.0 + BAND);
-    assert_eq!([ruling(3.0, 3.0, 3.0), ruling(bottom, 3.0, top), ruling(bottom, bottom, top), ruling(bottom, top, top)], [Pass; 4]);
+    assert_eq!(
+        [
+            ruling(3.0, 3.0, 3.0),
+            ruling(bottom, 3.0, top),
+            ruling(bottom, bottom, top),
+            ruling(bottom, top, top)
+        ],
+        [Pass; 4]
+    );
     assert_eq!([ruling(bottom.next_down(), 3.0, top), ruling(bottom, 3.0, top.next_up())], [Inconclusive; 2]);
     assert_eq!([ruling(2.0, bottom.next_down(), 4.0), ruling(2.0, top.next_up(), 4.0)], [Fail; 2]);
     let shown = rate(SECULAR, Class::Secular, fit(2.9, 3.0, 3.1), -1e-3);

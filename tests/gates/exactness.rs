@@ -34,7 +34,8 @@ fn every_promise_speaks_of_its_own_scenes_and_of_no_other() {
 
 #[test]
 fn every_error_is_at_most_ten_floors_at_the_end_and_over_the_run() {
-    let at = |errors: [f64; 6]| Made::new("slow-sphere", TURNS).with_errors(Quantity::Orientation, &errors, FLOOR);
+    let at =
+        |errors: [f64; 6]| Made::new("slow-sphere", TURNS).with_errors(Quantity::Orientation, &errors, FLOOR);
     let bound = 10.0 * FLOOR;
     for (errors, expected) in [
         ([0.0; 6], Pass),
@@ -55,7 +56,8 @@ fn every_error_is_at_most_ten_floors_at_the_end_and_over_the_run() {
 #[test]
 fn the_worst_rung_is_that_which_is_farthest_above_its_own_floor() {
     let mut made = Made::new("slow-sphere", TURNS).with_errors(Quantity::Orientation, &[0.0; 6], FLOOR);
-    let ladder = made.evidence.ladders.iter_mut().find(|ladder| ladder.place == Place::End).expect("a ladder");
+    let ladder =
+        made.evidence.ladders.iter_mut().find(|ladder| ladder.place == Place::End).expect("a ladder");
     ladder.rungs[1] = (0.5, 9e-15, 1e-16);
     ladder.rungs[4] = (1.0 / 16.0, 20e-15, 3e-15);
     let verdict = made.verdict("exact", "orientation-end");
@@ -75,8 +77,14 @@ fn giant_steps_are_held_to_ten_floors_where_runs_came_to_their_end() {
     let bound = 10.0 * FLOOR;
     let ruling = |errors| at(errors).ruling("exact", "orientation-giant-steps");
     assert_eq!([ruling([0.0, 0.0]), ruling([bound, 0.0]), ruling([0.0, bound])], [Pass; 3]);
-    assert_eq!([ruling([bound.next_up(), 0.0]), ruling([0.0, bound.next_up()]), ruling([f64::NAN, 0.0])], [Fail; 3]);
-    assert_eq!(numbers(&at([1e-15, 2e-15]).verdict("exact", "orientation-giant-steps")), [Some(2e-15), Some(0.0), Some(bound)]);
+    assert_eq!(
+        [ruling([bound.next_up(), 0.0]), ruling([0.0, bound.next_up()]), ruling([f64::NAN, 0.0])],
+        [Fail; 3]
+    );
+    assert_eq!(
+        numbers(&at([1e-15, 2e-15]).verdict("exact", "orientation-giant-steps")),
+        [Some(2e-15), Some(0.0), Some(bound)]
+    );
     let mut made = at([1.0, 0.0]);
     made.evidence.giant_steps[0] = broken(made.evidence.giant_steps[0].clone());
     assert_eq!(made.ruling("exact", "orientation-giant-steps"), Pass);
@@ -123,7 +131,8 @@ fn the_momentum_of_the_points_may_change_by_the_rounding_of_its_sums() {
         });
         made
     };
-    let ruling = |change, torque| at(MOMENTUM, Some(change), torque).ruling("exact", "angular-momentum-points");
+    let ruling =
+        |change, torque| at(MOMENTUM, Some(change), torque).ruling("exact", "angular-momentum-points");
     // 4 √n + 8 roundings, and four times those of the torque.
     let bound = 408.0 * f64::EPSILON;
     assert_eq!([ruling(bound, 0.0), ruling(bound.next_up(), 0.0), ruling(f64::NAN, 0.0)], [Pass, Fail, Fail]);

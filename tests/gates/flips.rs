@@ -36,7 +36,11 @@ fn times_of_flips_converge_at_least_as_fast_as_claimed() {
     let verdict = late(&power(3)).verdict("flip-times", "flip-times");
     let [measured, low, high] = numbers(&verdict);
     assert!((measured.expect("a slope") - 3.0).abs() < 1e-9 && low == Some(1.85) && high.is_none());
-    assert!(verdict.detail.starts_with("2 flips; largest error of a time 3.05e-5 s at h = 6.25e-2 s"), "{}", verdict.detail);
+    assert!(
+        verdict.detail.starts_with("2 flips; largest error of a time 3.05e-5 s at h = 6.25e-2 s"),
+        "{}",
+        verdict.detail
+    );
 }
 
 #[test]

@@ -8,4 +8,5 @@ mod exactness;
 mod flips;
 mod orders;
 mod sameness;
+mod tolerances;
 mod whole;

@@ -21,7 +21,8 @@ fn power(order: f64) -> [f64; 6] {
 fn said(order: u32, low: f64, slope: f64, high: f64) -> (Ruling, String) {
     let rungs = power(slope).iter().zip(0..).map(|(e, k)| (0.5f64.powi(k), *e, 0.0)).collect();
     let ladder = Ladder::Window { rungs: 0..6, fit: Fit { slope, low, high } };
-    let made = QuantityLadder { quantity: Quantity::BodyPoint, place: Place::End, rungs, ladder, constant: None };
+    let made =
+        QuantityLadder { quantity: Quantity::BodyPoint, place: Place::End, rungs, ladder, constant: None };
     gates::rule(&made, order)
 }
 
@@ -102,7 +103,10 @@ fn every_quantity_is_judged_at_both_places_with_its_fit_but_those_that_are_promi
     assert_eq!(with(SECOND).quantities("order").len(), 12);
     let made = with(EXACT);
     let judged = made.quantities("order");
-    assert!(judged.len() == 10 && !judged.iter().any(|quantity| quantity.starts_with("position")), "{judged:?}");
+    assert!(
+        judged.len() == 10 && !judged.iter().any(|quantity| quantity.starts_with("position")),
+        "{judged:?}"
+    );
     let verdict = made.verdict("order", "body-point-max");
     let fit = numbers(&verdict).map(|number| number.expect("a fit"));
     assert!(verdict.verdict == Pass && fit.iter().all(|number| (number - 2.0).abs() < 1e-9), "{fit:?}");
@@ -131,7 +135,8 @@ fn rotation_of_a_single_point_has_no_order() {
         Quantity::ALL.into_iter().fold(made, |made, quantity| made.with_errors(quantity, &power(2.0), 0.0));
     assert_eq!(made.quantities("order").len(), 12);
     made.scene = Scene::parse(text, "point.toml").expect("a scene");
-    let places = ["position-end", "position-max", "velocity-end", "velocity-max", "body-point-end", "body-point-max"];
+    let places =
+        ["position-end", "position-max", "velocity-end", "velocity-max", "body-point-end", "body-point-max"];
     assert_eq!(made.quantities("order"), places);
 }
 
@@ -148,7 +153,8 @@ fn without_torque_the_order_is_that_claimed_for_it() {
 
 fn two(first: &[f64], second: &[f64]) -> (Ruling, String) {
     let made = Made::new("kovalevskaya", SECOND);
-    let made = made.with_errors(Quantity::Position, first, 1e-15).with_errors(Quantity::Velocity, second, 1e-15);
+    let made =
+        made.with_errors(Quantity::Position, first, 1e-15).with_errors(Quantity::Velocity, second, 1e-15);
     let verdict = made.verdict("order", "position-end");
     (verdict.verdict, verdict.detail)
 }
@@ -228,7 +234,8 @@ fn a_constant_that_is_gone_fails_where_an_error_vanished_that_the_record_makes_l
         let mut made = Made::new("kovalevskaya", SECOND);
         let quantity = Quantity::Position;
         let rungs = vec![(0.5, error, floor)];
-        let ladder = QuantityLadder { quantity, place: Place::End, rungs, ladder: Ladder::Exact, constant: None };
+        let ladder =
+            QuantityLadder { quantity, place: Place::End, rungs, ladder: Ladder::Exact, constant: None };
         made.evidence.ladders = vec![ladder];
         made.baseline = recorded("position-end", Some(4.0));
         made.ruling("constant", "position-end")
@@ -273,7 +280,11 @@ fn runs_that_agree_with_one_another_and_not_with_the_truth_fail() {
     assert_eq!(numbers(&verdict), [Some(0.1), Some(APART), None]);
     assert_eq!(numbers(&consistency(&[(f64::NAN, 1.0), (0.5, floor)]))[0], Some(1.0));
     let alone = consistency(&[(f64::NAN, 1.0)]);
-    assert!(alone.verdict == Inconclusive && alone.measured.is_none() && alone.detail.contains("no run before it"));
+    assert!(
+        alone.verdict == Inconclusive
+            && alone.measured.is_none()
+            && alone.detail.contains("no run before it")
+    );
 }
 
 #[test]

@@ -33,7 +33,10 @@ fn there_and_back_may_differ_by_ten_floors_and_by_what_solves_leave_is_undecided
     assert_eq!(ruling(f64::NAN, 100), Broken);
     let verdict = reversal(3.0, 0).verdict("reversible", "there-and-back");
     assert_eq!(numbers(&verdict), [Some(3.0), Some(0.0), Some(CLEAR)]);
-    assert_eq!(Made::new("free-asymmetric", &[Claim::Reversible]).quantities("reversible"), ["there-and-back"]);
+    assert_eq!(
+        Made::new("free-asymmetric", &[Claim::Reversible]).quantities("reversible"),
+        ["there-and-back"]
+    );
     let silent = Made::new("free-asymmetric", &[Claim::Reversible]);
     assert_eq!(silent.ruling("reversible", "there-and-back"), NotApplicable);
 }
@@ -48,7 +51,8 @@ fn an_undecided_way_back_names_the_solves_and_a_decided_one_does_not() {
 fn world(to_the_bit: bool, of_floor: f64, solves: u64) -> Made {
     let mut made = Made::new("free-asymmetric", &[Claim::Equivariant]);
     let (name, quantity, difference) = ("turned", Quantity::Position, 1e-15);
-    made.other_worlds = vec![OtherWorld { name, to_the_bit, of_floor, quantity, difference, steps: 25, solves }];
+    made.other_worlds =
+        vec![OtherWorld { name, to_the_bit, of_floor, quantity, difference, steps: 25, solves }];
     made
 }
 
@@ -62,7 +66,10 @@ fn another_world_may_differ_by_ten_floors_and_in_binary_units_by_nothing() {
     let most = CLEAR * left_by_solves();
     assert_eq!([ruling(false, most, 100), ruling(false, most * 1.001, 100)], [Inconclusive, Fail]);
     assert_eq!([ruling(false, f64::NAN, 100), ruling(true, f64::NAN, 0)], [Fail; 2]);
-    assert_eq!(Made::new("free-asymmetric", &[Claim::Equivariant]).ruling("equivariant", "all"), NotApplicable);
+    assert_eq!(
+        Made::new("free-asymmetric", &[Claim::Equivariant]).ruling("equivariant", "all"),
+        NotApplicable
+    );
 }
 
 #[test]
@@ -94,7 +101,9 @@ fn points(change: impl FnOnce(&mut PointRun)) -> Option<PointRun> {
 #[test]
 fn points_may_stretch_by_the_rounding_of_their_turns_and_in_a_steady_spin_by_that_of_each() {
     // 4 √n + 8 roundings where the axis tumbles, n more where it stands still.
-    for (scene, bound) in [("free-asymmetric", 408.0 * f64::EPSILON), ("slow-sphere", 10_408.0 * f64::EPSILON)] {
+    for (scene, bound) in
+        [("free-asymmetric", 408.0 * f64::EPSILON), ("slow-sphere", 10_408.0 * f64::EPSILON)]
+    {
         let at = |stretch: f64| {
             let mut made = Made::new(scene, &[Claim::Rigid]);
             made.points = points(|points| points.stretch = stretch);
@@ -113,7 +122,8 @@ fn the_least_model_may_differ_from_the_points_by_their_roundings() {
     let at = |difference: f64, rounding: f64, torque_rounding: f64| {
         let mut made = Made::new("free-asymmetric", &[]);
         made.points = points(|points| {
-            (points.difference, points.rounding, points.torque_rounding) = (difference, rounding, torque_rounding);
+            (points.difference, points.rounding, points.torque_rounding) =
+                (difference, rounding, torque_rounding);
         });
         made.ruling("reduction", "all")
     };
@@ -121,7 +131,10 @@ fn the_least_model_may_differ_from_the_points_by_their_roundings() {
     for (rounding, torque, bound) in [(0.0, 0.0, 1e-12), (1e-12, 0.0, 11e-12), (0.0, 1e-12, 13e-12)] {
         assert_eq!([at(bound * 0.999, rounding, torque), at(bound * 1.001, rounding, torque)], [Pass, Fail]);
     }
-    assert_eq!([at(0.9e-12, 0.0, f64::NAN), at(1.1e-12, 0.0, f64::NAN), at(f64::NAN, 0.0, 0.0)], [Pass, Fail, Fail]);
+    assert_eq!(
+        [at(0.9e-12, 0.0, f64::NAN), at(1.1e-12, 0.0, f64::NAN), at(f64::NAN, 0.0, 0.0)],
+        [Pass, Fail, Fail]
+    );
 }
 
 #[test]
@@ -143,7 +156,10 @@ fn a_step_may_change_the_two_form_by_1e_minus_9_over_the_unit_of_its_directions(
     };
     assert_eq!([at(0.0, 1.0), at(1e-9, 1.0), at(2e-9, 0.5)], [Pass; 3]);
     assert_eq!([at(1e-9f64.next_up(), 1.0), at(2.1e-9, 0.5), at(f64::NAN, 1.0)], [Fail; 3]);
-    assert_eq!(Made::new("free-asymmetric", &[Claim::Symplectic]).ruling("symplectic", "two-form"), NotApplicable);
+    assert_eq!(
+        Made::new("free-asymmetric", &[Claim::Symplectic]).ruling("symplectic", "two-form"),
+        NotApplicable
+    );
 }
 
 #[test]
@@ -153,14 +169,18 @@ fn the_vertical_momentum_may_change_by_the_rounding_of_its_sums_on_every_rung() 
     let bound = |steps: f64| f64::EPSILON * (8.0 + 4.0 * steps.sqrt());
     let at = |changes: [f64; 2]| {
         let mut made = Made::new("kovalevskaya", &[Claim::VerticalMomentum]);
-        for (rung, (steps, max)) in made.evidence.rungs.iter_mut().zip([100, 10_000].into_iter().zip(changes)) {
+        for (rung, (steps, max)) in made.evidence.rungs.iter_mut().zip([100, 10_000].into_iter().zip(changes))
+        {
             rung.steps = steps;
             rung.readings[place] = Some(Reading { end: 0.0, max });
         }
         made.verdict("vertical-momentum", "vertical-momentum")
     };
     assert_eq!([at([bound(100.0), 0.0]).verdict, at([0.0, bound(10_000.0)]).verdict], [Pass; 2]);
-    assert_eq!([at([bound(100.0).next_up(), 0.0]).verdict, at([0.0, bound(10_000.0).next_up()]).verdict], [Fail; 2]);
+    assert_eq!(
+        [at([bound(100.0).next_up(), 0.0]).verdict, at([0.0, bound(10_000.0).next_up()]).verdict],
+        [Fail; 2]
+    );
     // The worst is that which is nearest to its own bound.
     assert_eq!(numbers(&at([40e-16, 50e-16])), [Some(40e-16), Some(0.0), Some(bound(100.0))]);
     let silent = Made::new("kovalevskaya", &[Claim::VerticalMomentum]);

@@ -59,7 +59,11 @@ fn a_run_that_broke_is_told_of_a_scheme_that_claims_no_order() {
         if breaks {
             made.evidence.rungs[2] = broken(made.evidence.rungs[2].clone());
         }
-        made.judge().into_iter().filter(|v| v.claim == "run").map(|v| (v.verdict, v.quantity)).collect::<Vec<_>>()
+        made.judge()
+            .into_iter()
+            .filter(|v| v.claim == "run")
+            .map(|v| (v.verdict, v.quantity))
+            .collect::<Vec<_>>()
     };
     assert_eq!(of(&[Claim::Rigid], true), [(Broken, "all".to_owned())]);
     assert!(of(&[Claim::Rigid], false).is_empty() && of(&[Claim::Order(2)], true).is_empty());
@@ -70,7 +74,11 @@ fn every_verdict_names_its_scene_and_its_scheme() {
     let made = Made::new("free-asymmetric", &[Claim::Rigid, Claim::Evaluations(2), Claim::VerticalMomentum]);
     let verdicts = made.judge();
     assert!(verdicts.len() >= 3);
-    assert!(verdicts.iter().all(|v| v.scene == "free-asymmetric" && v.scheme == "made-up" && !v.detail.is_empty()));
+    assert!(
+        verdicts
+            .iter()
+            .all(|v| v.scene == "free-asymmetric" && v.scheme == "made-up" && !v.detail.is_empty())
+    );
 }
 
 /// A body at rest, and then as changed, as a reference that is as uncertain at first.
@@ -138,7 +146,10 @@ fn the_least_certain_quantity_is_named_and_nan_is_no_certainty() {
     uncertainty[index(Quantity::AngularVelocity)] = 1e-7;
     let found = judged(uncertainty, turning);
     assert_eq!((found.verdict, found.quantity.as_str(), found.measured), (Pass, "orientation", Some(1e-8)));
-    assert_eq!((found.scene.as_str(), found.scheme.as_str(), found.claim.as_str()), ("here", "reference", "references-agree"));
+    assert_eq!(
+        (found.scene.as_str(), found.scheme.as_str(), found.claim.as_str()),
+        ("here", "reference", "references-agree")
+    );
     // A bound that is met exactly.
     assert_eq!(judged(uncertain(Quantity::Orientation, 1e-6), |_| ()).verdict, Pass);
     // Of what is nothing throughout there is nothing to be certain of.
