@@ -58,6 +58,7 @@ fn the_worst_rung_is_that_which_is_farthest_above_its_own_floor() {
     let mut made = Made::new("slow-sphere", TURNS).with_errors(Quantity::Orientation, &[0.0; 6], FLOOR);
     let ladder =
         made.evidence.ladders.iter_mut().find(|ladder| ladder.place == Place::End).expect("a ladder");
+    ladder.rungs[0] = (1.0, 1e-15, FLOOR);
     ladder.rungs[1] = (0.5, 9e-15, 1e-16);
     ladder.rungs[4] = (1.0 / 16.0, 20e-15, 3e-15);
     let verdict = made.verdict("exact", "orientation-end");

@@ -8,7 +8,7 @@ use polhode::record::{Order, Records};
 use polhode::regression::{Fit, Ladder};
 use polhode::scenes::Scene;
 
-use super::case::{FLOOR, Made, broken, numbers, rung};
+use super::case::{FLOOR, Made, broken, index, numbers, rung};
 
 const SECOND: &[Claim] = &[Claim::Order(2)];
 
@@ -20,7 +20,11 @@ fn power(order: f64) -> [f64; 6] {
 /// What is said of a fit over a ladder that shows nothing else.
 fn said(order: u32, low: f64, slope: f64, high: f64) -> (Ruling, String) {
     let rungs = power(slope).iter().zip(0..).map(|(e, k)| (0.5f64.powi(k), *e, 0.0)).collect();
-    let ladder = Ladder::Window { rungs: 0..6, fit: Fit { slope, low, high } };
+    said_over(rungs, order, Fit { slope, low, high })
+}
+
+fn said_over(rungs: Vec<(f64, f64, f64)>, order: u32, fit: Fit) -> (Ruling, String) {
+    let ladder = Ladder::Window { rungs: 0..6, fit };
     let made =
         QuantityLadder { quantity: Quantity::BodyPoint, place: Place::End, rungs, ladder, constant: None };
     gates::rule(&made, order)
@@ -42,6 +46,26 @@ fn the_interval_of_a_slope_is_inside_the_band_outside_or_across_an_end() {
         let (ruling, detail) = said(2, low, slope, high);
         assert!(ruling == expected && detail.contains(words), "[{low}, {high}]: {ruling:?}, {detail}");
         assert!(detail.contains("over 6 rungs") && detail.contains("1.85 … 2.15"), "{detail}");
+    }
+}
+
+#[test]
+fn a_term_of_the_claimed_order_under_the_next_one_is_undecided_where_the_interval_is_outside() {
+    let rungs =
+        || (0..6).map(|k| 0.7f64.powi(k)).map(|h| (h, 0.05 * h * h + h.powi(3), 0.0)).collect::<Vec<_>>();
+    let (bottom, top) = (2.0 - BAND, 2.0 + BAND);
+    for (low, slope, high, there) in [
+        (top.next_up(), 2.5, 3.0, true),
+        (top, 2.5, 3.0, false),
+        (1.0, 1.5, bottom.next_down(), true),
+        (1.0, 1.5, bottom, false),
+    ] {
+        let (ruling, detail) = said_over(rungs(), 2, Fit { slope, low, high });
+        assert_eq!(
+            (ruling, detail.contains("a term of the claimed order is there")),
+            (Inconclusive, there),
+            "{detail}"
+        );
     }
 }
 
@@ -252,6 +276,13 @@ fn consistency(runs: &[(f64, f64)]) -> polhode::record::Verdict {
     made.not_for_order = Some("it is so");
     made.evidence.rungs =
         (0..).zip(runs).map(|(k, (moved, error))| rung(0.5f64.powi(k), 8 << k, *error, *moved)).collect();
+    // It is the points of the body over the run that are looked at.
+    for rung in &mut made.evidence.rungs {
+        for (place, error) in rung.errors.iter_mut().enumerate() {
+            error.end = 7.0;
+            error.max = if place == index(Quantity::BodyPoint) { error.max } else { 7.0 };
+        }
+    }
     assert_eq!(made.ruling("order", "all"), NotApplicable);
     made.verdict("consistency", "body-point-max")
 }
