@@ -58,3 +58,39 @@ pub(super) fn constrained_turn(
 fn entries(symmetric: &Matrix3<f64>) -> Vector6<f64> {
     Vector6::from_iterator(ENTRIES.into_iter().map(|entry| symmetric[entry]))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{AnyModel, Turning};
+    use crate::scenes::Scene;
+
+    /// The body with these moments, free.
+    fn turned(moments: [f64; 3], momentum: impl Fn(&Vector3<f64>) -> Vector3<f64>) -> f64 {
+        let text = format!("name = \"body\"\nduration = 1.0\n[body]\nmass = 1.0\ninertia = {moments:?}\n");
+        let AnyModel::Free(model) = Scene::parse(&text, "body.toml").expect("a scene").system.least() else {
+            panic!("a free body")
+        };
+        let body = model.rotational();
+        let (momentum, second) =
+            (momentum(&body.moments), Vector3::repeat(body.moments.sum() / 2.0) - body.moments);
+        let product =
+            constrained_turn(body, &momentum, 1.0).expect("a turn").to_rotation_matrix().into_inner()
+                * Matrix3::from_diagonal(&second);
+        (product - product.transpose() - momentum.cross_matrix()).amax() / second.amax()
+    }
+
+    #[test]
+    fn multipliers_hold_a_turn_to_its_equation_to_rounding() {
+        // A solid body, a long one, and one so nearly flat that rounding leaves more than eight units in the nine entries.
+        for moments in [[1.0, 1.5, 2.25], [26.0, 26.0, 1.0], [1.0, 1.0, 1.98]] {
+            for k in 0..200 {
+                let angle = f64::from(k) * 1.5e-3;
+                let spin = Vector3::new(0.6, -0.48, 0.64) * angle;
+                let apart = turned(moments, |moments| moments.component_mul(&spin));
+                println!("{moments:?} {angle}: {apart:e}");
+                assert!(apart < 3.0 * f64::EPSILON, "{moments:?}, {angle} rad: {apart:e}");
+            }
+        }
+    }
+}
