@@ -102,7 +102,7 @@ pub fn vector_of(rotation: &Rotation) -> Vector3<f64> {
     let imaginary = rotation.imag() * sign;
     let sine = length(&imaginary);
     if sine == 0.0 {
-        return imaginary * 2.0;
+        return imaginary;
     }
     imaginary * (2.0 * sine.atan2(rotation.w * sign) / sine)
 }

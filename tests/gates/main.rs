@@ -2,6 +2,7 @@
 //! `claims.rs` asks the same gates about real runs.
 
 mod case;
+mod consistency;
 mod counted;
 mod energies;
 mod exactness;

@@ -81,8 +81,11 @@ fn every_verdict_names_its_scene_and_its_scheme() {
     );
 }
 
+/// What is changed of a state.
+type Change = fn(&mut Snapshot);
+
 /// A body at rest, and then as changed, as a reference that is as uncertain at first.
-fn judged(uncertainty: [f64; 6], change: impl Fn(&mut Snapshot)) -> Verdict {
+fn judged(uncertainty: [f64; 6], change: Change) -> Verdict {
     let scene = Scene::find("free-asymmetric").expect("built in");
     let zero = Vector3::zeros();
     let rest = Snapshot {
@@ -118,16 +121,16 @@ fn a_reference_is_certain_to_a_millionth_of_the_scale_of_every_quantity() {
         state.angular_momentum = Vector3::new(0.0, -400.0, 0.0);
     };
     let turning = |state: &mut Snapshot| state.angular_velocity = Vector3::new(0.0, 0.0, 300.0);
-    let scales: [(Quantity, f64, &dyn Fn(&mut Snapshot)); 8] = [
-        (Quantity::Position, 100.0, &large),
-        (Quantity::BodyPoint, 100.0, &large),
-        (Quantity::Velocity, if 300.0 * extent > 200.0 { 300.0 * extent } else { 200.0 }, &large),
-        (Quantity::Orientation, 1.0, &large),
-        (Quantity::AngularVelocity, 300.0, &large),
-        (Quantity::AngularMomentum, 400.0, &large),
+    let scales: [(Quantity, f64, Change); 8] = [
+        (Quantity::Position, 100.0, large),
+        (Quantity::BodyPoint, 100.0, large),
+        (Quantity::Velocity, if 300.0 * extent > 200.0 { 300.0 * extent } else { 200.0 }, large),
+        (Quantity::Orientation, 1.0, large),
+        (Quantity::AngularVelocity, 300.0, large),
+        (Quantity::AngularMomentum, 400.0, large),
         // A body that hardly moves is as large as it is, and its points as fast as it turns.
-        (Quantity::Position, extent, &turning),
-        (Quantity::Velocity, 300.0 * extent, &turning),
+        (Quantity::Position, extent, turning),
+        (Quantity::Velocity, 300.0 * extent, turning),
     ];
     for (quantity, scale, change) in scales {
         let at = |part: f64| judged(uncertain(quantity, part * scale), change);
