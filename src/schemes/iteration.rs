@@ -36,17 +36,13 @@ pub(super) fn until_settled<M: Model>(
 
 #[cfg(test)]
 mod tests {
+    use super::super::multipliers::tests::free_body;
     use super::*;
-    use crate::model::AnyModel;
-    use crate::scenes::Scene;
 
     /// How often an iterate is improved whose changes are these, the last again and again; and what comes of it.
     fn improved(changes: &[f64]) -> (usize, Result<(), Broken>) {
-        let AnyModel::Free(model) = Scene::find("free-asymmetric").expect("built in").system.least() else {
-            panic!("a free body")
-        };
         let mut taken = 0;
-        let result = until_settled(&model, || {
+        let result = until_settled(&free_body([1.0, 1.5, 2.25]), || {
             taken += 1;
             Ok(changes[(taken - 1).min(changes.len() - 1)])
         });

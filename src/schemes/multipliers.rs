@@ -60,17 +60,27 @@ fn entries(symmetric: &Matrix3<f64>) -> Vector6<f64> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
-    use crate::model::{AnyModel, Turning};
-    use crate::scenes::Scene;
+    use crate::model::body::Body;
+    use crate::model::{AnyModel, Free, Spin, System, Turning};
+
+    /// A free body with these moments, at rest.
+    pub(in crate::schemes) fn free_body(moments: [f64; 3]) -> Free {
+        let inertia = Matrix3::from_diagonal(&Vector3::from(moments));
+        let body = Body::from_inertia(1.0, inertia, None, false).expect("a body");
+        let zero = Vector3::zeros();
+        let system = System::new(body, Vec::new(), zero, Rotation::identity(), zero, Spin::Velocity(zero))
+            .expect("a system");
+        match system.least() {
+            AnyModel::Free(model) => model,
+            other => panic!("no free body: {}", other.name()),
+        }
+    }
 
     /// What a turn in a second leaves of F D − D Fᵀ = h m̂, over D, for a free body with these moments and this spin.
     fn left(moments: [f64; 3], spin: &Vector3<f64>) -> f64 {
-        let text = format!("name = \"body\"\nduration = 1.0\n[body]\nmass = 1.0\ninertia = {moments:?}\n");
-        let AnyModel::Free(model) = Scene::parse(&text, "body.toml").expect("a scene").system.least() else {
-            panic!("a free body")
-        };
+        let model = free_body(moments);
         let moments = Vector3::from(moments);
         let (momentum, second) =
             (moments.component_mul(spin), Vector3::repeat(moments.sum() / 2.0) - moments);
