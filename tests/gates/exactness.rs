@@ -54,6 +54,16 @@ fn every_error_is_at_most_ten_floors_at_the_end_and_over_the_run() {
 }
 
 #[test]
+fn each_verdict_is_on_its_own_quantity_at_its_own_place() {
+    let mut made = Made::new("slow-sphere", TURNS)
+        .with_errors(Quantity::Velocity, &[1.0; 6], FLOOR)
+        .with_errors(Quantity::Orientation, &[0.0; 6], FLOOR);
+    assert_eq!(["orientation-end", "orientation-max"].map(|place| made.ruling("exact", place)), [Pass; 2]);
+    made.evidence.ladders[3].rungs[2].1 = 1.0;
+    assert_eq!(["orientation-end", "orientation-max"].map(|place| made.ruling("exact", place)), [Pass, Fail]);
+}
+
+#[test]
 fn the_worst_rung_is_that_which_is_farthest_above_its_own_floor() {
     let mut made = Made::new("slow-sphere", TURNS).with_errors(Quantity::Orientation, &[0.0; 6], FLOOR);
     let ladder =

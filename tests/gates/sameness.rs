@@ -183,6 +183,7 @@ fn the_vertical_momentum_may_change_by_the_rounding_of_its_sums_on_every_rung() 
     );
     // The worst is that which is nearest to its own bound.
     assert_eq!(numbers(&at([40e-16, 50e-16])), [Some(40e-16), Some(0.0), Some(bound(100.0))]);
+    assert_eq!(numbers(&at([40e-16, 600e-16])), [Some(600e-16), Some(0.0), Some(bound(10_000.0))]);
     let silent = Made::new("kovalevskaya", &[Claim::VerticalMomentum]);
     assert_eq!(silent.ruling("vertical-momentum", "vertical-momentum"), NotApplicable);
 }

@@ -153,6 +153,8 @@ fn the_least_certain_quantity_is_named_and_nan_is_no_certainty() {
         (found.scene.as_str(), found.scheme.as_str(), found.claim.as_str()),
         ("here", "reference", "references-agree")
     );
+    let certain = judged([0.0; 6], turning);
+    assert_eq!((certain.verdict, certain.quantity.as_str(), certain.measured), (Pass, "position", Some(0.0)));
     // A bound that is met exactly.
     assert_eq!(judged(uncertain(Quantity::Orientation, 1e-6), |_| ()).verdict, Pass);
     // Of what is nothing throughout there is nothing to be certain of.

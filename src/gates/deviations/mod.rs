@@ -123,6 +123,24 @@ mod tests {
     }
 
     #[test]
+    fn every_row_of_the_tables_is_applied() {
+        for known in TABLES.into_iter().flatten() {
+            for (scene, schemes) in known.places {
+                let mut verdicts = [Verdict {
+                    scene: (*scene).to_owned(),
+                    scheme: schemes[0].to_owned(),
+                    claim: known.claim.to_owned(),
+                    quantity: known.quantities.first().unwrap_or(&"all").to_string(),
+                    verdict: Fail,
+                    ..Verdict::default()
+                }];
+                apply(&mut verdicts);
+                assert!(verdicts[0].known_deviation.is_some(), "{scene}, {}: {}", schemes[0], known.reason);
+            }
+        }
+    }
+
+    #[test]
     fn a_substepped_variant_may_deviate_and_need_not() {
         let variant = "substepped-2-euler";
         assert_eq!(marked(&WHOLE, variant, &[("end", Pass), ("max", Pass)]), [(false, Pass); 2]);
