@@ -10,7 +10,10 @@ const TOO_UNCERTAIN: f64 = 1e-6;
 
 /// Judges the reference of a scene.
 pub fn judge_reference(scene: &str, system: &System, reference: &Reference) -> Verdict {
-    let largest = |index: usize| reference.uncertainty.iter().map(|u| u[index]).fold(0.0, f64::max);
+    let largest = |index: usize| {
+        let over_the_run = reference.uncertainty.iter().map(|u| u[index]);
+        over_the_run.fold(0.0, |a: f64, b| if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) })
+    };
     let extent = system.body.extent();
     let span =
         |value: fn(&crate::model::Snapshot) -> f64| reference.states.iter().map(value).fold(0.0, f64::max);

@@ -102,7 +102,7 @@ pub fn vector_of(rotation: &Rotation) -> Vector3<f64> {
     let imaginary = rotation.imag() * sign;
     let sine = length(&imaginary);
     if sine == 0.0 {
-        return imaginary * 2.0;
+        return imaginary;
     }
     imaginary * (2.0 * sine.atan2(rotation.w * sign) / sine)
 }
@@ -165,7 +165,8 @@ pub fn best_fit(from: &[Vector3<f64>], to: &[Vector3<f64>], weights: &[f64]) -> 
         return Rotation::identity();
     };
     let singular = decomposition.singular_values;
-    if singular[1] < 1e-12 * singular[0] {
+    // The largest entry of what was decomposed is 1, and so is the largest singular value at least.
+    if singular[1] < 1e-12 {
         let direction_from = v_transposed.row(0).transpose();
         let direction_to = u.column(0).into_owned();
         return between(&direction_from, &direction_to);

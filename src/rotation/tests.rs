@@ -33,9 +33,26 @@ fn an_angle_between_directions_does_not_depend_on_their_lengths() {
 }
 
 #[test]
+fn a_vector_of_no_length_makes_no_angle() {
+    let (zero, x) = (Vector3::zeros(), Vector3::x());
+    assert_eq!(
+        [(&zero, &x), (&x, &zero), (&zero, &zero)].map(|(a, b)| angle_between_directions(a, b)),
+        [0.0; 3]
+    );
+}
+
+#[test]
+fn half_a_turn_is_about_the_axis_that_its_quaternion_names() {
+    for axis in [Vector3::x(), -Vector3::y(), Vector3::z()] {
+        let half = Rotation::new_unchecked(Quaternion::from_parts(0.0, axis));
+        assert_eq!(vector_of(&half), axis * PI);
+    }
+}
+
+#[test]
 fn a_line_of_points_is_fitted_to_rounding_at_every_angle() {
     let line = [Vector3::new(0.3, -0.2, 0.5), Vector3::new(-0.6, 0.4, -1.0)];
-    for angle in [0.0, 1e-12, 1e-8, 1e-3, 1.0, 3.0, PI] {
+    for angle in [0.0, 1e-12, 1e-8, 1e-3, 1.0, 3.0, PI - 1e-3, PI - 1e-6, PI - 1e-7, PI] {
         let turned = line
             .map(|x| turn(&(Vector3::new(0.0, 0.928_476_690_885_259, 0.371_390_676_354_103_7) * angle)) * x);
         let fitted = best_fit(&line, &turned, &[1.0, 2.0]);
@@ -43,7 +60,27 @@ fn a_line_of_points_is_fitted_to_rounding_at_every_angle() {
         // The bound that stored solutions are read to.
         let bound = 16.0 * f64::EPSILON;
         assert!(apart < bound, "angle {angle}: {apart:e}");
+        // About the line there are many that do: it is that of least turning, to what the angle of the line is known to.
+        let least = length(&vector_of(&fitted));
+        assert!((least - angle).abs() < bound, "angle {angle}: {least}");
     }
+}
+
+#[test]
+fn a_fit_is_to_points_by_their_weights_at_every_scale() {
+    let rotation = turn(&Vector3::new(0.7, -1.9, 0.4));
+    for scale in [1e-150, 1.0, 1e150] {
+        let points = [Vector3::x(), Vector3::y(), Vector3::new(0.3, -0.2, 1.0)].map(|p| p * scale);
+        let mut turned = points.map(|p| rotation * p);
+        turned[1] = -turned[1];
+        let apart = angle_between(&best_fit(&points, &turned, &[1.0, 0.0, 2.0]), &rotation);
+        assert!(apart < 1e-14, "{scale:e}: {apart:e}");
+    }
+    let point = [Vector3::x()];
+    for nothing in [Vector3::zeros(), Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NAN)] {
+        assert_eq!(best_fit(&point, &[nothing], &[1.0]), Rotation::identity());
+    }
+    assert_eq!(best_fit(&[], &[], &[]), Rotation::identity());
 }
 
 #[test]
@@ -190,10 +227,24 @@ fn a_quaternion_near_the_unit_sphere_is_put_on_it_without_a_root() {
     }
 }
 
+/// Parts of which sums and products are 1 in many ways: a length that is taken for one by mistake is left as it is.
+#[test]
+fn a_quaternion_of_any_parts_and_any_length_is_put_on_the_unit_sphere() {
+    const PARTS: [f64; 5] = [0.0, 0.5, 1.0, -1.0, 2.0];
+    for place in 1..PARTS.len().pow(4) {
+        let part = |digit: u32| PARTS[place / PARTS.len().pow(digit) % PARTS.len()];
+        for scale in [1.0, 1e-4] {
+            let q = Quaternion::new(part(0), part(1), part(2), part(3)) * scale;
+            let apart = (unit(&q).into_inner() - q / q.norm()).norm();
+            assert!(apart < 2.0 * f64::EPSILON, "{q}: {apart:e}");
+        }
+    }
+}
+
 #[test]
 fn the_spin_of_a_quaternion_of_any_length_is_that_of_its_direction() {
     let momentum = Vector3::new(0.7, -2.0, 1.1);
-    let inverse = Vector3::new(1.0, 0.5, 0.25);
+    let inverse = Vector3::new(1.25, 0.5, 0.25);
     for k in 1..50 {
         let rotation = turn(&(Vector3::new(0.31, -0.17, 0.43) * f64::from(k)));
         let columns = formulas::outer_columns([rotation.w, rotation.i, rotation.j, rotation.k]);

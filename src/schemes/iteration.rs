@@ -33,3 +33,37 @@ pub(super) fn until_settled<M: Model>(
     }
     Err(Broken::NoConvergence { iterations: MOST, residual: smallest, tolerance: TOLERANCE })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::multipliers::tests::free_body;
+    use super::*;
+
+    /// How often an iterate is improved whose changes are these, the last again and again; and what comes of it.
+    fn improved(changes: &[f64]) -> (usize, Result<(), Broken>) {
+        let mut taken = 0;
+        let result = until_settled(&free_body([1.0, 1.5, 2.25]), || {
+            taken += 1;
+            Ok(changes[(taken - 1).min(changes.len() - 1)])
+        });
+        (taken, result)
+    }
+
+    #[test]
+    fn an_iteration_ends_at_rounding_or_where_three_small_changes_have_not_improved() {
+        assert_eq!(improved(&[1.0, 1e-9, ROUNDING]), (3, Ok(())));
+        assert_eq!(improved(&[1.0, 1e-13]), (5, Ok(())));
+        assert_eq!(improved(&[1.0, TOLERANCE]), (5, Ok(())));
+        // Two that are larger are no end where the next is smaller again.
+        assert_eq!(improved(&[1e-13, 3e-13, 2e-13, 9e-14, 2e-13]), (7, Ok(())));
+        assert_eq!(improved(&[1e-14, 1.0, 1.0, 1.0, 1e-13]), (5, Ok(())));
+    }
+
+    #[test]
+    fn a_change_that_stays_above_the_tolerance_is_no_convergence() {
+        for residual in [1e-3, TOLERANCE.next_up()] {
+            let expected = Err(Broken::NoConvergence { iterations: MOST, residual, tolerance: TOLERANCE });
+            assert_eq!(improved(&[1.0, residual]), (100, expected));
+        }
+    }
+}

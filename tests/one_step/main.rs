@@ -8,6 +8,7 @@ mod points;
 mod rotations;
 mod runge_kutta;
 mod splittings;
+mod times;
 
 use body::{M, State, V};
 use polhode::model::Snapshot;

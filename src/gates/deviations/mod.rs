@@ -80,3 +80,93 @@ impl Deviation {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const WHOLE: Deviation =
+        Deviation { reason: "it is so", claim: "order", quantities: &[], places: &[("here", &["euler"])] };
+    const PART: Deviation = Deviation { quantities: &["end"], ..WHOLE };
+
+    /// Rulings on quantities, as they are after a deviation has been marked: whether each is known, and what it is.
+    fn marked(known: &Deviation, scheme: &str, rulings: &[(&str, Ruling)]) -> Vec<(bool, Ruling)> {
+        let verdict = |(quantity, ruling): &(&str, Ruling)| Verdict {
+            scene: "here".to_owned(),
+            scheme: scheme.to_owned(),
+            claim: "order".to_owned(),
+            quantity: (*quantity).to_owned(),
+            verdict: *ruling,
+            ..Verdict::default()
+        };
+        let mut verdicts: Vec<Verdict> = rulings.iter().map(verdict).collect();
+        known.mark(&mut verdicts, "here", "euler");
+        verdicts.iter().map(|v| (v.known_deviation.is_some(), v.verdict)).collect()
+    }
+
+    use Ruling::{Broken, Fail, Inconclusive, NotApplicable, Pass};
+
+    #[test]
+    fn what_does_not_hold_is_known_and_what_does_not_apply_is_left() {
+        let found = marked(&WHOLE, "euler", &[("end", Fail), ("max", Inconclusive), ("all", Broken)]);
+        assert_eq!(found, [(true, Fail), (true, Inconclusive), (true, Broken)]);
+        let found = marked(&WHOLE, "euler", &[("end", NotApplicable), ("max", Fail)]);
+        assert_eq!(found, [(false, NotApplicable), (true, Fail)]);
+    }
+
+    #[test]
+    fn a_deviation_that_is_gone_fails_as_a_whole_or_in_each_quantity_that_it_names() {
+        assert_eq!(marked(&WHOLE, "euler", &[("end", Pass), ("max", Pass)]), [(false, Fail); 2]);
+        assert_eq!(marked(&WHOLE, "euler", &[("end", Pass), ("max", Fail)]), [(false, Pass), (true, Fail)]);
+        assert_eq!(marked(&PART, "euler", &[("end", Pass), ("max", Fail)]), [(false, Fail); 2]);
+        assert_eq!(marked(&PART, "euler", &[("end", Fail), ("max", Pass)]), [(true, Fail), (false, Pass)]);
+    }
+
+    #[test]
+    fn every_row_of_the_tables_is_applied() {
+        for known in TABLES.into_iter().flatten() {
+            for (scene, schemes) in known.places {
+                let mut verdicts = [Verdict {
+                    scene: (*scene).to_owned(),
+                    scheme: schemes[0].to_owned(),
+                    claim: known.claim.to_owned(),
+                    quantity: known.quantities.first().unwrap_or(&"all").to_string(),
+                    verdict: Fail,
+                    ..Verdict::default()
+                }];
+                apply(&mut verdicts);
+                assert!(verdicts[0].known_deviation.is_some(), "{scene}, {}: {}", schemes[0], known.reason);
+            }
+        }
+    }
+
+    #[test]
+    fn a_substepped_variant_may_deviate_and_need_not() {
+        let variant = "substepped-2-euler";
+        assert_eq!(marked(&WHOLE, variant, &[("end", Pass), ("max", Pass)]), [(false, Pass); 2]);
+        assert_eq!(marked(&PART, variant, &[("end", Pass)]), [(false, Pass)]);
+        assert_eq!(marked(&WHOLE, variant, &[("end", Fail)]), [(true, Fail)]);
+        assert_eq!(marked(&WHOLE, "substepped-2-rkmk4", &[("end", Fail)]), [(false, Fail)]);
+    }
+
+    #[test]
+    fn a_deviation_is_of_one_scene_one_scheme_and_one_claim() {
+        let own = Verdict {
+            scene: "here".to_owned(),
+            scheme: "euler".to_owned(),
+            claim: "order".to_owned(),
+            verdict: Fail,
+            ..Verdict::default()
+        };
+        let others = [
+            Verdict { scene: "there".to_owned(), ..own.clone() },
+            Verdict { scheme: "rkmk4".to_owned(), ..own.clone() },
+            Verdict { claim: "exact".to_owned(), ..own.clone() },
+            own,
+        ];
+        let mut verdicts = others.to_vec();
+        WHOLE.mark(&mut verdicts, "here", "euler");
+        let known: Vec<bool> = verdicts.iter().map(|v| v.known_deviation.is_some()).collect();
+        assert_eq!(known, [false, false, false, true]);
+    }
+}
