@@ -3,9 +3,10 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use super::{InBodyAxes, OnAnyModel, OnPoints, Outcome, Plan, Program, Trajectory, run, substeps};
-use crate::model::body::Shape;
-use crate::model::{AnyModel, Broken, Snapshot, System, SystemError};
+use super::dispatch::{run_in_body_axes, run_on_any_model, run_on_points};
+use super::limits::Limits;
+use super::{Outcome, Plan, Program, Trajectory, substeps};
+use crate::model::{AnyModel, Snapshot, System, SystemError};
 use crate::schemes::{self, Card, PointScheme, Scheme, SideBySide, TurningScheme, Visitor};
 
 /// Which form of a scene is run.
@@ -50,30 +51,6 @@ pub struct Contestant {
     program: Option<Arc<Who>>,
     most_steps: u64,
     side_by_side: Option<SideBySide>,
-}
-
-/// What a scheme takes.
-#[derive(Clone, Copy, Debug)]
-struct Limits {
-    points: bool,
-    reduced: bool,
-    velocity_forces: bool,
-    rods: bool,
-    plates: bool,
-    /// A model without L in its state will do where L is constant.
-    keeps_momentum: bool,
-}
-
-impl Limits {
-    /// Everything.
-    const NONE: Limits = Limits {
-        points: true,
-        reduced: true,
-        velocity_forces: true,
-        rods: true,
-        plates: true,
-        keeps_momentum: true,
-    };
 }
 
 impl Contestant {
@@ -199,27 +176,7 @@ impl Contestant {
         if let Some(refusal) = &self.refusal {
             return refusal(system).map(Cow::Owned);
         }
-        if !self.limits.velocity_forces && system.forces.read_velocity() {
-            return Some(Cow::Borrowed(
-                "a force depends on a velocity, which a splitting into kicks and drifts cannot take",
-            ));
-        }
-        if !self.limits.rods && system.body.shape != Shape::Extended {
-            return Some(Cow::Borrowed(
-                "a moment of inertia is zero (a rod or a single point), and the scheme divides by it",
-            ));
-        }
-        if !self.limits.plates && system.body.flat() {
-            return Some(Cow::Borrowed(
-                "the body is flat: a second moment of its mass is zero, and the scheme divides by it",
-            ));
-        }
-        if !self.limits.reduced && system.body.points.is_empty() {
-            return Some(Cow::Borrowed(
-                "the scheme runs on mass points, and no positive masses have this body's inertia",
-            ));
-        }
-        None
+        self.limits.refusal(system).map(Cow::Borrowed)
     }
 
     /// Whether it is a program of its own, whose ladders end sooner.
@@ -288,55 +245,5 @@ impl Contestant {
         let mut states = Vec::with_capacity((plan.steps / plan.every.max(1) + 2).min(1 << 20) as usize);
         let outcome = self.stream(system, form, plan, &mut |snapshot| states.push(*snapshot));
         Trajectory { states, outcome }
-    }
-}
-
-fn run_on_any_model<S: Scheme>(
-    system: &System,
-    form: Form,
-    plan: &Plan,
-    store: &mut dyn FnMut(&Snapshot),
-) -> Outcome {
-    match form.model(system) {
-        Ok(AnyModel::Free(model)) => run::<OnAnyModel<S>, _>(&model, plan, store),
-        Ok(AnyModel::Falling(model)) => run::<OnAnyModel<S>, _>(&model, plan, store),
-        Ok(AnyModel::Torque(model) | AnyModel::Pivot(model)) => run::<OnAnyModel<S>, _>(&model, plan, store),
-        Ok(AnyModel::Forced(model)) => run::<OnAnyModel<S>, _>(&model, plan, store),
-        Ok(AnyModel::Points(model)) => run::<OnAnyModel<S>, _>(&model, plan, store),
-        Err(_) => Outcome::none(Broken::NoPointForm),
-    }
-}
-
-fn run_in_body_axes<S: TurningScheme>(
-    system: &System,
-    form: Form,
-    plan: &Plan,
-    store: &mut dyn FnMut(&Snapshot),
-) -> Outcome {
-    match form.model(system) {
-        Ok(AnyModel::Free(model)) if !S::KEEPS_MOMENTUM => {
-            run::<InBodyAxes<S>, _>(&model.with_momentum(), plan, store)
-        }
-        Ok(AnyModel::Falling(model)) if !S::KEEPS_MOMENTUM => {
-            run::<InBodyAxes<S>, _>(&model.with_momentum(), plan, store)
-        }
-        Ok(AnyModel::Free(model)) => run::<InBodyAxes<S>, _>(&model, plan, store),
-        Ok(AnyModel::Falling(model)) => run::<InBodyAxes<S>, _>(&model, plan, store),
-        Ok(AnyModel::Torque(model) | AnyModel::Pivot(model)) => run::<InBodyAxes<S>, _>(&model, plan, store),
-        Ok(AnyModel::Forced(model)) => run::<InBodyAxes<S>, _>(&model, plan, store),
-        Ok(AnyModel::Points(_)) => Outcome::none(Broken::NeedsAttitude),
-        Err(_) => Outcome::none(Broken::NoPointForm),
-    }
-}
-
-fn run_on_points<S: PointScheme>(
-    system: &System,
-    _form: Form,
-    plan: &Plan,
-    store: &mut dyn FnMut(&Snapshot),
-) -> Outcome {
-    match system.points() {
-        Ok(AnyModel::Points(model)) => run::<OnPoints<S>, _>(&model, plan, store),
-        _ => Outcome::none(Broken::NoPointForm),
     }
 }

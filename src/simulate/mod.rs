@@ -7,6 +7,8 @@ mod contestant;
 mod substeps;
 mod program;
 mod counted;
+mod dispatch;
+mod limits;
 
 use std::marker::PhantomData;
 use std::time::Instant;

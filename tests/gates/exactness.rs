@@ -138,7 +138,6 @@ fn the_momentum_of_the_points_may_change_by_the_rounding_of_its_sums() {
             torque_rounding,
             rounding: 0.0,
             outcome: Outcome::none_yet(),
-            speedup: None,
         });
         made
     };

@@ -92,7 +92,6 @@ fn points(change: impl FnOnce(&mut PointRun)) -> Option<PointRun> {
         torque_rounding: 0.0,
         rounding: 0.0,
         outcome: Outcome::none_yet(),
-        speedup: None,
     };
     change(&mut points);
     Some(points)
