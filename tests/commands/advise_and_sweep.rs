@@ -1,29 +1,8 @@
 //! The commands `advise` and `sweep` from outside.
 
 use std::fs;
-use std::process::{Command, Output};
 
-use serde_json::Value;
-
-fn polhode(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_polhode")).args(arguments).output().expect("the program runs")
-}
-
-fn code(output: &Output) -> i32 {
-    output.status.code().expect("an exit code")
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
-
-fn json(output: &Output) -> Value {
-    serde_json::from_slice(&output.stdout).expect("JSON on stdout")
-}
-
-fn scratch() -> tempfile::TempDir {
-    tempfile::tempdir().expect("a folder")
-}
+use crate::program::{code, json, polhode, scratch, stderr};
 
 #[test]
 fn advice_is_a_step_that_divides_the_duration_and_whose_run_meets_the_tolerance() {

@@ -2,33 +2,23 @@
 
 use std::f64::consts::PI;
 use std::fs;
-use std::process::{Command, Output};
+use std::process::Output;
 
 use serde_json::Value;
+
+use crate::program::{code, polhode, stderr, stdout};
 
 const COLUMNS: [&str; 14] = ["t", "x", "y", "z", "qw", "qx", "qy", "qz", "vx", "vy", "vz", "wx", "wy", "wz"];
 const SCENE: &str = "free-asymmetric";
 
 type Row = [f64; 14];
 
-fn polhode(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_polhode")).args(arguments).output().expect("the program runs")
-}
-
-fn code(output: &Output) -> i32 {
-    output.status.code().expect("an exit code")
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8_lossy(bytes).into_owned()
-}
-
 /// A run in `steps` steps by a scheme of fourth order, as rows.
 fn run(scene: &str, steps: u64) -> Vec<Row> {
     let steps = steps.to_string();
     let output = polhode(&["run", scene, "--scheme", "rk4-quaternion", "--steps", &steps, "--format", "csv"]);
-    assert_eq!(code(&output), 0, "{}", text(&output.stderr));
-    let csv = text(&output.stdout);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    let csv = stdout(&output);
     let mut lines = csv.lines();
     let header: Vec<&str> = lines.next().expect("a header").split(',').collect();
     let places = COLUMNS.map(|name| header.iter().position(|column| *column == name).expect("a column"));
@@ -51,7 +41,7 @@ struct Judged {
 
 impl Judged {
     fn said(&self) -> String {
-        text(&self.output.stdout) + &text(&self.output.stderr)
+        stdout(&self.output) + &stderr(&self.output)
     }
 
     fn value(&self, metric: &str) -> f64 {

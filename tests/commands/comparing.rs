@@ -1,27 +1,15 @@
 //! `polhode compare` from outside, and schemes in equal parts of a step.
 
-use std::process::{Command, Output};
-
 use polhode::scenes::Scene;
 use polhode::simulate::{Contestant, Form, Plan};
 use serde_json::Value;
 
-fn polhode(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_polhode")).args(arguments).output().expect("the program runs")
-}
-
-fn code(output: &Output) -> i32 {
-    output.status.code().expect("an exit code")
-}
-
-fn text(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stdout).into_owned()
-}
+use crate::program::{code, polhode, stdout};
 
 /// Exit code and rows of a comparison of two schemes in a scene.
 fn compare(a: &str, b: &str, scene: &str) -> (i32, Vec<String>) {
     let output = polhode(&["compare", a, b, "--quiet", "--scene", scene]);
-    (code(&output), text(&output).lines().map(str::to_owned).collect())
+    (code(&output), stdout(&output).lines().map(str::to_owned).collect())
 }
 
 fn row<'a>(rows: &'a [String], scene: &str, quantity: &str) -> &'a str {
@@ -173,13 +161,13 @@ fn a_scheme_in_parts_is_run_gated_and_refused_by_name() {
     let gate =
         |name: &str| polhode(&["gate", "--quiet", "--verbose", "--scheme", name, "--scene", "kovalevskaya"]);
     let output = gate("substepped-4-simo-wong");
-    assert_eq!(code(&output), 0, "{}", text(&output));
-    assert!(text(&output).contains("substepped-4-simo-wong"));
+    assert_eq!(code(&output), 0, "{}", stdout(&output));
+    assert!(stdout(&output).contains("substepped-4-simo-wong"));
     for name in ["substepped-1-euler", "substepped-65-euler", "substepped-4-tsit45", "substepped-4-no-scheme"]
     {
         assert_eq!(code(&gate(name)), 64, "{name}");
     }
-    let list = text(&polhode(&["list", "schemes"]));
+    let list = stdout(&polhode(&["list", "schemes"]));
     assert!(list.contains("substepped-N-S"));
     assert!(list.lines().any(|line| line.starts_with(" peskin-rk2 ") && line.contains("peskin2021")));
 }
