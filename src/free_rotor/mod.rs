@@ -210,3 +210,6 @@ fn between(before: &Vector3<f64>, [cosine, sine]: [f64; 2], after: &Vector3<f64>
     );
     Rotation::new_normalize(turned * Quaternion::new(1.0 + after.z, after.y, -after.x, 0.0))
 }
+
+#[cfg(test)]
+mod tests;
