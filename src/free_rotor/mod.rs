@@ -14,7 +14,7 @@
 //!      numerator cancels  g = (l₁ dn u₀ + k′² √q l₂ sn v/(cn v + dn v))/(l₁ + √q l₂ x dn u₀)
 //!
 //! so that an attitude R becomes R Q and the body's L becomes Qᵀ L. Σ and the odd function D of period 2 K come with sn,
-//! cn, dn from one arithmetic-geometric mean ([`gauss`]). Nothing but v depends on t and nothing but (3), (6) and (7) on
+//! cn, dn from one arithmetic-geometric mean ([`crate::elliptic::gauss`]). Nothing but v depends on t and nothing but (3), (6) and (7) on
 //! where on its polhode the body starts, so that neither a long u₀ near the separatrix nor its rounding enters; (6) and
 //! (7) are of period 2 K in v and in u₀, which are moved to where cn ≥ 0. All sums in ϖ but Σ, all of (6), and (7) in
 //! its two forms are of one sign. e^{iΦ/2} is a product: apart from the sine and cosine of two angles no transcendental
@@ -30,12 +30,10 @@
 //!
 //! Source: vanzon2007 and celledoni2008 for the reduction to Jacobi's functions; the forms above are derived here.
 
-mod gauss;
-
 use nalgebra::{Quaternion, Vector3};
 
+use crate::elliptic::gauss::{Ladder, Passage};
 use crate::rotation::{self, Rotation};
-use gauss::{Ladder, Passage};
 
 /// k′ below which the body leaves the middle axis but does not come back: sech of the quarter period is zero to f64.
 const ON_SEPARATRIX: f64 = 1e-140;
@@ -143,7 +141,10 @@ impl Polhode {
             let steepness = self.across / ((1.0 + delta) * (1.0 + delta)); // (1 − δ)/(1 + δ)
             let ladder = Ladder::up(span, complement, delta, steepness);
             let steady = inverse_moments[0] * (self.across / (1.0 + delta)) + inverse_moments[2] * delta;
-            (ladder.down(ladder.mean * w13_t), impulse * steady + ladder.rate * w13_t) // (5)
+            (
+                ladder.down(rotation::sine_and_cosine(ladder.mean * w13_t)),
+                impulse * steady + ladder.rate * w13_t,
+            ) // (5)
         };
         let [x, y] = passage.phase;
         let [across, along] = self.added(&passage, complement * self.inverse_delta);
@@ -184,7 +185,10 @@ impl Polhode {
         };
         let rest = across / (1.0 + d) * sine;
         let (m, kappa) = (delta * delta + rest * half, rest / root); // (6)
-        [kappa * m * (1.0 - g), (m * g + delta) * (m + delta) + kappa * kappa] // (6)
+        // Over (M + δ)², so that nothing leaves the range of f64.
+        let inverse = 1.0 / (m + delta);
+        let kappa = kappa * inverse;
+        [kappa * (m * inverse) * (1.0 - g), (m * g + delta) * inverse + kappa * kappa] // (6)
     }
 
     /// tanh and sech of v, and e^{iD} by (8): half the angle of (cn + √p sn²/q) + i (√(p/q) sn cn − sn/√q).

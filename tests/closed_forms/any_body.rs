@@ -33,7 +33,8 @@ impl Draw {
 fn kinds(draw: &mut Draw) -> Vec<(&'static str, V, V)> {
     let generic = V::new(draw.between(1.0, 1.3), draw.between(1.4, 1.7), draw.between(1.8, 2.2));
     let [a, b, c] = generic.into();
-    let thin = V::new(10f64.powf(draw.between(-3.0, -1.0)), draw.between(0.95, 0.97), draw.between(0.98, 1.0));
+    let thin =
+        V::new(10f64.powf(draw.between(-3.0, -1.0)), draw.between(0.95, 0.97), draw.between(0.98, 1.0));
     let nearly = V::new(1.0, 1.0 + 10f64.powf(draw.between(-14.0, -3.0)), draw.between(0.2, 1.8));
     let up = draw.size(-8.0, -1.0);
     // On the separatrix l₁² c (b − a) = l₃² a (c − b).
@@ -47,7 +48,11 @@ fn kinds(draw: &mut Draw) -> Vec<(&'static str, V, V)> {
         ("thin", thin, draw.vector()),
         ("thin, spun across", thin, V::new(draw.size(-4.0, -2.0), 1.0, draw.size(-2.0, 0.0))),
         ("nearly symmetric", nearly, draw.vector()),
-        ("nearly symmetric, spun across", nearly, V::new(0.6, draw.between(-1.0, 1.0), draw.size(-10.0, 0.0))),
+        (
+            "nearly symmetric, spun across",
+            nearly,
+            V::new(0.6, draw.between(-1.0, 1.0), draw.size(-10.0, 0.0)),
+        ),
         ("near the separatrix", generic, separatrix),
         ("near the smallest axis", generic, small(draw, V::x())),
         ("near the middle axis", generic, small(draw, -V::y())),

@@ -113,7 +113,11 @@ impl Recurrence {
             let (late, apart) = late(&moments[1], &body_momentum(&moments[0]));
             if last == 0 && apart < close {
                 let turn = product(&later(&moments[1], -late), &transposed(&rows(&moments[0])));
-                return Some(Recurrence { system: system.clone(), period: DoubleDouble::from(time) - late, turn });
+                return Some(Recurrence {
+                    system: system.clone(),
+                    period: DoubleDouble::from(time) - late,
+                    turn,
+                });
             }
             time -= late.high;
         }

@@ -1,10 +1,10 @@
 //! Jacobi's functions and the phase of the third-kind integral by one arithmetic-geometric mean, after Gauss.
 //!
-//! For k′ = b₀/a₀ and a body with 0 < R₀ ≤ 1, p + q = 1 and τ₀ as [`super`] has them, levels n = 0, 1, … up:
+//! For k′ = b₀/a₀ and what a third-kind integral adds, R₀ and τ₀, levels n = 0, 1, … up:
 //!
 //! (1)  aₙ₊₁ = (aₙ + bₙ)/2,  bₙ₊₁ = √(aₙ bₙ),  hₙ = (aₙ − bₙ)/2
 //! (2)  ρₙ₊₁ = √(1 + τₙ hₙ/aₙ₊₁),  eₙ₊₁ = ρₙ₊₁ − 1,  τₙ₊₁ = eₙ₊₁/(1 + ρₙ₊₁),  Rₙ₊₁ = Rₙ/ρₙ₊₁
-//! (3)  the mean rate:  Σ 2ⁿ Rₙ eₙ, n = 1 … N
+//! (3)  Σ = 2 R₁ e₁ + 4 R₂ e₂ + … + 2ᴺ R_N e_N
 //!
 //! until hₙ is nothing against aₙ, and down again from s = sin φ, c = cos φ, d = 1 at φ = a_N v/a₀:
 //!
@@ -17,12 +17,14 @@
 //! is taken. (4) follows the signs of s and c, so that v is not reduced by K. Of the two forms of dₙ the first loses
 //! what c has lost before, and the second is good where d is near zero, that is near the separatrix.
 //!
-//! (5) is Gauss's transformation of Π(φₙ, −νₙ, kₙ), whose inverse tangents tan⁻¹(Rₙ tan φₙ / aₙ) enter with weights 2ⁿ: these differ
-//! less and less, so that their differences Dₙ are taken instead, in closed form.
+//! With a₀ = 1, R₀² = 1 + ν, ρ₀² = 1 + k²/ν and τ₀ = (ρ₀ − 1)/(ρ₀ + 1) this is the integral of the third kind in its circular case,
+//!
+//! (6)  R₀ ρ₀ ∫₀^v du/(1 + ν sn² u) = (R₀ (ρ₀ − 1) + Σ) v + tan⁻¹(R₀ sn v / cn v) + 2 D
+//!
+//! by Gauss's transformation of Π, in which inverse tangents tan⁻¹(Rₙ tan φₙ / aₙ) enter with weights 2ⁿ: they differ less and
+//! less from level to level, so that their differences Dₙ are taken instead, in closed form.
 //!
 //! Source: nist2010, 19.8(ii) and (iii), for the transformation of F and Π; (2), (3) and (5) derived from it here.
-
-use crate::rotation;
 
 /// Levels: from k′ = 1e-140 the mean takes twelve.
 const LEVELS: usize = 16;
@@ -41,27 +43,32 @@ struct Level {
 }
 
 /// The levels on the way up.
-pub(super) struct Ladder {
+#[derive(Clone)]
+pub struct Ladder {
     levels: [Level; LEVELS],
     count: usize,
-    /// a_N.
-    pub(super) mean: f64,
-    /// (3).
-    pub(super) rate: f64,
+    /// a_N, which an argument v/a₀ is multiplied by to give the angle that [`Ladder::down`] begins with.
+    pub mean: f64,
+    /// Σ of (3).
+    pub rate: f64,
 }
 
-/// Jacobi's functions of v and e^{iD} of any length.
-pub(super) struct Passage {
-    pub(super) sine: f64,
-    pub(super) cosine: f64,
-    pub(super) delta: f64,
-    pub(super) phase: [f64; 2],
+/// Jacobi's functions of an argument, and the phase of (5).
+pub struct Passage {
+    /// sn v.
+    pub sine: f64,
+    /// cn v.
+    pub cosine: f64,
+    /// dn v.
+    pub delta: f64,
+    /// Real and imaginary part of e^{iD}, of any length.
+    pub phase: [f64; 2],
 }
 
 impl Ladder {
     /// (1)–(3) from a₀, b₀ > 0, R₀ and τ₀.
     #[inline(always)]
-    pub(super) fn up(mut a: f64, mut b: f64, mut radius: f64, mut tau: f64) -> Ladder {
+    pub fn up(mut a: f64, mut b: f64, mut radius: f64, mut tau: f64) -> Ladder {
         let mut levels = [Level { a: 0.0, b: 0.0, radius: 0.0, next_radius: 0.0, excess: 0.0 }; LEVELS];
         let (mut count, mut rate, mut weight) = (0, 0.0, 1.0);
         for level in &mut levels {
@@ -84,10 +91,9 @@ impl Ladder {
         Ladder { levels, count, mean: a, rate }
     }
 
-    /// (4) and (5) from the angle φ = a_N v/a₀ [rad].
+    /// (4) and (5) from sine and cosine of the angle φ = a_N v/a₀.
     #[inline(always)]
-    pub(super) fn down(&self, angle: f64) -> Passage {
-        let (mut s, mut c) = rotation::sine_and_cosine(angle);
+    pub fn down(&self, (mut s, mut c): (f64, f64)) -> Passage {
         let (mut d, mut missing) = (1.0, 0.0); // missing: 1 − d
         let mut phase = [1.0, 0.0];
         for level in self.levels[..self.count].iter().rev() {

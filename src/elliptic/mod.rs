@@ -12,6 +12,8 @@
 //!
 //! Source: carlson1995 (duplication), Gauss's mean, bulirsch1965 (4).
 
+pub mod gauss;
+
 use std::f64::consts::FRAC_PI_2;
 
 /// Halvings of the arithmetic-geometric mean, which converges quadratically: from k′ = 1e-160 in twelve.
