@@ -14,11 +14,12 @@
 //!      numerator cancels  g = (l₁ dn u₀ + k′² √q l₂ sn v/(cn v + dn v))/(l₁ + √q l₂ x dn u₀)
 //!
 //! so that an attitude R becomes R Q and the body's L becomes Qᵀ L. Σ and the odd function D of period 2 K come with sn,
-//! cn, dn from one arithmetic-geometric mean ([`crate::elliptic::gauss`]). Nothing but v depends on t and nothing but (3), (6) and (7) on
-//! where on its polhode the body starts, so that neither a long u₀ near the separatrix nor its rounding enters; (6) and
-//! (7) are of period 2 K in v and in u₀, which are moved to where cn ≥ 0. All sums in ϖ but Σ, all of (6), and (7) in
-//! its two forms are of one sign. e^{iΦ/2} is a product: apart from the sine and cosine of two angles no transcendental
-//! function is taken. Symmetric bodies have k = 0, Σ = 0, D = 0.
+//! cn and dn from one arithmetic-geometric mean ([`crate::elliptic::gauss`]) with a₀ = √q δ, b₀ = k′ a₀, R₀ = δ and τ₀ =
+//! (1 − δ)/(1 + δ), at the angle a_N w₁₃ t. Only v depends on t, and only (3), (6) and (7) on where on its polhode the
+//! body starts, so that neither a long u₀ near the separatrix nor its rounding enters; (6) and (7) have the period 2 K in v
+//! and in u₀, which are moved to where cn ≥ 0. All sums in ϖ but Σ, all of (6), and (7) in its two forms are of one sign.
+//! e^{iΦ/2} is a product: apart from the sine and cosine of two angles no transcendental function is taken. Symmetric
+//! bodies have k = 0, Σ = 0 and D = 0.
 //!
 //! (6) is the addition theorem of e^{2iD}, a quotient of theta functions with the pole of dΦ/dt, l₃ = −1, on the periods 2 K and
 //! 4 i K′: the product of its sines is dn(u₀ + v/2) less dn at half a step from the pole. On the separatrix, k′ = 0, the
