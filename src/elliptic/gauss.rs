@@ -61,6 +61,8 @@ pub struct Passage {
     pub cosine: f64,
     /// dn v.
     pub delta: f64,
+    /// 1 − dn v.
+    pub missing: f64,
     /// Real and imaginary part of e^{iD}, of any length.
     pub phase: [f64; 2],
 }
@@ -109,6 +111,6 @@ impl Ladder {
             let above = if square < 0.5 { mean - h * square } else { mean * (c * c) + b * square };
             (s, c, d, missing) = (sine, cosine, above * inverse, 2.0 * h * square * inverse); // (4)
         }
-        Passage { sine: s, cosine: c, delta: d, phase }
+        Passage { sine: s, cosine: c, delta: d, missing, phase }
     }
 }

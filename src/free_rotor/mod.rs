@@ -155,18 +155,26 @@ impl Polhode {
         between(&l, half_phi, &self.after(&passage)) // (4)
     }
 
-    /// l at u, by (3).
+    /// l at u, by (3); for a short step as l and what is added to it. v is often the same from step to step, and what
+    /// rounding leaves of sn, cn and dn would add up if it were not small with v.
     fn after(&self, passage: &Passage) -> Vector3<f64> {
         let Polhode { l, p, root, inverse_delta, .. } = *self;
-        let Passage { sine, cosine, delta, .. } = *passage;
-        let first = l.z * inverse_delta;
-        let turning = first * sine;
-        let inverse = 1.0 / (cosine * cosine + turning * turning);
-        Vector3::new(
-            l.x * cosine - root * l.y * turning * delta,
-            l.y * cosine * delta + l.x * turning / root,
-            l.z * delta - p * inverse_delta / root * (l.x * l.y) * (sine * cosine),
-        ) * inverse
+        let Passage { sine, cosine, delta, missing, .. } = *passage;
+        let turning = l.z * inverse_delta * sine;
+        let (squares, turned) = (sine * sine, turning * turning);
+        let inverse = 1.0 / (cosine * cosine + turned);
+        let x = -root * l.y * (turning * delta);
+        let y = l.x * turning / root;
+        let z = -p * inverse_delta / root * (l.x * l.y) * (sine * cosine);
+        if cosine < 0.5 {
+            let plain = Vector3::new(l.x * cosine, l.y * (cosine * delta), l.z * delta);
+            return (plain + Vector3::new(x, y, z)) * inverse;
+        }
+        let short = squares / (1.0 + cosine); // 1 − cn v
+        let x = x + l.x * (cosine * short - turned);
+        let y = y + l.y * (cosine * (short - missing) - turned);
+        let z = z + l.z * (squares - missing - turned);
+        l + Vector3::new(x, y, z) * inverse
     }
 
     /// Imaginary and real part of the product in (6), from √q k′.
@@ -200,7 +208,8 @@ impl Polhode {
         let real = cosine + slope / self.root * (sine * sine);
         let imaginary = slope * (sine * cosine) - sine / self.root;
         let size = (real * real + imaginary * imaginary).sqrt();
-        Passage { sine, cosine, delta: cosine, phase: [size + real, imaginary] }
+        let missing = sine * sine / (1.0 + cosine);
+        Passage { sine, cosine, delta: cosine, missing, phase: [size + real, imaginary] }
     }
 }
 
