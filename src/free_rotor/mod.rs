@@ -27,6 +27,11 @@
 //!
 //! (8)  ϖ = w₂,  2 D(v) = tan⁻¹(√(p/q) tanh v) − tan⁻¹(sinh v/√q)
 //!
+//! Steps of a run are often equal, and equal errors add up: no rounding may be large against a short step. So (3) gives the change
+//! of l, from 1 − cn v = sn² v/(1 + cn v) and 1 − dn v, and since P₀ Z(Φ) P₀⁻¹ is the turn by Φ about l,
+//!
+//! (9)  Q ∝ 2 (1 + l₃) (cos Φ/2, l sin Φ/2) + P₀ Z(Φ) ΔP⁻¹,  P₀ = (1 + l₃, −l₂, l₁, 0),  ΔP⁻¹ = (Δl₃, Δl₂, −Δl₁, 0)
+//!
 //! Error: a few rounding units times 1 + |Ω| t, times what the motion makes of a rounding of L or of a moment.
 //!
 //! Source: vanzon2007 and celledoni2008 for the reduction to Jacobi's functions; the forms above are derived here.
@@ -152,12 +157,11 @@ impl Polhode {
         let (sine, cosine) = rotation::sine_and_cosine(0.5 * mean_angle);
         let (turned, aside) = (x * along - y * across, x * across + y * along); // (6)
         let half_phi = [cosine * turned - sine * aside, sine * turned + cosine * aside]; // (5)
-        between(&l, half_phi, &self.after(&passage)) // (4)
+        turn_of(&l, half_phi, &self.change(&passage)) // (9)
     }
 
-    /// l at u, by (3); for a short step as l and what is added to it. v is often the same from step to step, and what
-    /// rounding leaves of sn, cn and dn would add up if it were not small with v.
-    fn after(&self, passage: &Passage) -> Vector3<f64> {
+    /// l(u) − l(u₀) by (3), for a short step in numbers that are small with it.
+    fn change(&self, passage: &Passage) -> Vector3<f64> {
         let Polhode { l, p, root, inverse_delta, .. } = *self;
         let Passage { sine, cosine, delta, missing, .. } = *passage;
         let turning = l.z * inverse_delta * sine;
@@ -168,13 +172,13 @@ impl Polhode {
         let z = -p * inverse_delta / root * (l.x * l.y) * (sine * cosine);
         if cosine < 0.5 {
             let plain = Vector3::new(l.x * cosine, l.y * (cosine * delta), l.z * delta);
-            return (plain + Vector3::new(x, y, z)) * inverse;
+            return (plain + Vector3::new(x, y, z)) * inverse - l;
         }
         let short = squares / (1.0 + cosine); // 1 − cn v
         let x = x + l.x * (cosine * short - turned);
         let y = y + l.y * (cosine * (short - missing) - turned);
         let z = z + l.z * (squares - missing - turned);
-        l + Vector3::new(x, y, z) * inverse
+        Vector3::new(x, y, z) * inverse
     }
 
     /// Imaginary and real part of the product in (6), from √q k′.
@@ -213,16 +217,12 @@ impl Polhode {
     }
 }
 
-/// (4) from l before, e^{iΦ/2} of any length, and l after.
-fn between(before: &Vector3<f64>, [cosine, sine]: [f64; 2], after: &Vector3<f64>) -> Rotation {
-    let w = 1.0 + before.z;
-    let turned = Quaternion::new(
-        w * cosine,
-        before.x * sine - before.y * cosine,
-        before.x * cosine + before.y * sine,
-        w * sine,
-    );
-    Rotation::new_normalize(turned * Quaternion::new(1.0 + after.z, after.y, -after.x, 0.0))
+/// (9) from l, e^{iΦ/2} of any length, and the change of l.
+fn turn_of(l: &Vector3<f64>, [cosine, sine]: [f64; 2], change: &Vector3<f64>) -> Rotation {
+    let w = 1.0 + l.z;
+    let about = Quaternion::from_parts(cosine, l * sine) * (2.0 * w);
+    let carried = Quaternion::new(w * cosine, l.x * sine - l.y * cosine, l.x * cosine + l.y * sine, w * sine);
+    Rotation::new_normalize(about + carried * Quaternion::new(change.z, change.y, -change.x, 0.0))
 }
 
 #[cfg(test)]
