@@ -53,6 +53,17 @@ fn coefficients(half: [f64; 3]) -> (f64, f64) {
     }
 }
 
+/// sin x and cos x: by the series of [`formulas`] up to half a radian.
+#[inline(always)]
+pub fn sine_and_cosine(x: f64) -> (f64, f64) {
+    let square = x * x;
+    if square <= formulas::LARGEST_SQUARE {
+        let (cosine, sine) = formulas::coefficients(square);
+        return (x * sine, cosine);
+    }
+    x.sin_cos()
+}
+
 /// R(Ω, s) · from, the length of `from` put right before.
 #[inline(always)]
 pub fn turned(from: &Rotation, spin: &Vector3<f64>, s: f64) -> Rotation {

@@ -1,6 +1,7 @@
 //! What is known of a system: its motion to many digits, and its condition.
 
 use nalgebra::{Matrix3, Vector3};
+use polhode::model::forces::{Forces, Gravity, Law};
 use polhode::model::{Snapshot, System, difference};
 use polhode::reference::precise::{self, AFFORDABLE, Moment};
 use polhode::rotation;
@@ -26,38 +27,58 @@ pub fn turned(states: &[Snapshot], duration: f64) -> f64 {
     duration * states.iter().map(|s| rotation::length(&s.angular_velocity)).fold(0.0, f64::max)
 }
 
-/// |L|/I of the smallest moment above zero: |Ω| is no more than that. For a body as thin as 26 : 1 the formulas take the
-/// difference of two such rates, which costs the 26.
-pub fn fastest(system: &System) -> f64 {
-    let moments = system.body.moments;
-    let smallest = moments.iter().copied().filter(|x| *x > 0.0).fold(f64::INFINITY, f64::min);
-    rotation::length(&system.start.angular_momentum) / smallest
+/// What the bounds of these tests are counted in: rounding units for every radian turned and one more, or for what a change
+/// of one datum by a rounding unit makes of the motion, whichever is more. A closed form in f64 takes a dozen or two
+/// of roundings, whose squares add up. Measured: up to 5.
+pub const UNITS: f64 = 8.0;
+
+/// Relative change by which a datum is moved; what comes of it is taken over it.
+pub const CHANGE: f64 = 1e-12;
+
+/// The angle turned through until each of `states`, from |Ω| [rad].
+pub fn radians(states: &[Snapshot]) -> Vec<f64> {
+    let (mut sum, mut before) = (0.0, 0.0);
+    let passed = states.iter().map(|state| {
+        sum += rotation::length(&state.angular_velocity) * (state.time - before);
+        before = state.time;
+        sum
+    });
+    passed.collect()
 }
 
-/// What a relative change of L or of a moment by one unit becomes at each time, over 1 + |Ω| t and no less than 1.
-pub fn condition(system: &System, states: &[Snapshot]) -> Vec<f64> {
-    const CHANGE: f64 = 1e-12;
-    let times: Vec<f64> = states.iter().map(|s| s.time).collect();
-    let mut condition = vec![1.0f64; times.len()];
-    for change in 0..6 {
+/// The same system with one datum off by [`CHANGE`] of itself: a part of L along a principal axis, a moment, gravity.
+pub fn moved(system: &System) -> Vec<System> {
+    let principal = system.start.orientation * system.body.principal;
+    let momentum = principal.inverse_transform_vector(&system.start.angular_momentum);
+    let axes = system.body.principal.to_rotation_matrix().into_inner();
+    let mut all = Vec::new();
+    for i in 0..3 {
         let mut other = system.clone();
-        let principal = system.start.orientation * system.body.principal;
-        let mut momentum = principal.inverse_transform_vector(&system.start.angular_momentum);
-        let mut moments = system.body.moments;
-        if change < 3 {
-            momentum[change] *= 1.0 + CHANGE
-        } else {
-            moments[change - 3] *= 1.0 + CHANGE
-        }
-        other.start.angular_momentum = principal * momentum;
-        let axes = system.body.principal.to_rotation_matrix().into_inner();
-        other.body.inertia +=
-            axes * Matrix3::from_diagonal(&(moments - system.body.moments)) * axes.transpose();
+        let more = V::ith(i, CHANGE * momentum[i]);
+        other.start.angular_momentum += principal * more;
+        all.push(other);
+        let mut other = system.clone();
+        let more = V::ith(i, CHANGE * system.body.moments[i]);
+        other.body.inertia += axes * Matrix3::from_diagonal(&more) * axes.transpose();
+        all.push(other);
+    }
+    if let [Law::Gravity(gravity)] = system.forces.laws() {
+        let mut other = system.clone();
+        let stronger = Law::Gravity(Gravity { acceleration: gravity.acceleration * (1.0 + CHANGE) });
+        other.forces = Forces::new(vec![stronger], &system.body);
+        all.push(other);
+    }
+    all
+}
+
+/// What a relative change of one datum by one unit becomes at each time: the largest angle over the change.
+pub fn amplification(system: &System, states: &[Snapshot]) -> Vec<f64> {
+    let times: Vec<f64> = states.iter().map(|s| s.time).collect();
+    let mut largest = vec![0.0f64; times.len()];
+    for other in moved(system) {
         for (j, (a, b)) in exact(&other, &times).iter().zip(states).enumerate() {
-            let apart = difference(&system.body, a, b);
-            let turned = 1.0 + rotation::length(&b.angular_velocity) * times[j];
-            condition[j] = condition[j].max(apart[2] / CHANGE / turned);
+            largest[j] = largest[j].max(difference(&system.body, a, b)[2] / CHANGE);
         }
     }
-    condition
+    largest
 }

@@ -1,8 +1,10 @@
 //! Closed forms meet the double-double series, to a few rounding units for every radian turned.
 
+mod any_body;
 mod found;
 mod known;
 mod million_radians;
 mod points;
+mod recurrence;
 mod sources;
 mod tops;

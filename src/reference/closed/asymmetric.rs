@@ -1,4 +1,4 @@
-//! The free asymmetric body with its attitude: Jacobi's functions, and a third-kind integral for the angle about L.
+//! The free asymmetric body with its attitude: Jacobi's functions, and a mean rate and a phase for the angle about L.
 //!
 //! The same exact rotor that the splitting schemes turn by, over the whole time at once; see
 //! [`crate::free_rotor`], which holds the formulas. Near the separatrix k′ enters by itself and is not lost.

@@ -7,7 +7,7 @@
 //! | `rod`, `sphere` | spin about a fixed axis | sine, cosine |
 //! | `symmetric` | two equal moments: two steady rotations | sine, cosine |
 //! | `separatrix` | exactly on the separatrix | tanh, sech, arctan |
-//! | `asymmetric` | any other free body, near the separatrix too | Jacobi's, third-kind integrals |
+//! | `asymmetric` | any other free body, near the separatrix too | Jacobi's, the phase of a third-kind integral |
 //!
 //! A free or falling body is a translation and a rotation that do not see each other. All are evaluated in f64: the
 //! error is a few rounding units times 1 + |Ω| t, times what the motion makes of a rounding. How much that is, is

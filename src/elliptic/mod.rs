@@ -10,7 +10,9 @@
 //!
 //! (4) takes one sine and one cosine, of a_N u, however many halvings (3) took.
 //!
-//! Source: carlson1995 (duplication), Gauss's mean, bulirsch1965 (4 and the complete integral of the third kind).
+//! Source: carlson1995 (duplication), Gauss's mean, bulirsch1965 (4).
+
+pub mod gauss;
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -94,29 +96,6 @@ fn arctangent_ratio(e: f64) -> f64 {
     root.atan() / root
 }
 
-/// ∫₀^{π/2} sin² / ((cos² + p sin²) √(cos² + k′² sin²)), p > 0, by means that converge as fast as those of (3).
-pub fn complete_integral_of_the_third_kind(complementary: f64, p: f64) -> f64 {
-    let mut k = complementary.sqrt();
-    let (mut e, mut mean, mut root) = (k, 1.0, p.sqrt());
-    let (mut a, mut b) = (0.0, 1.0 / root);
-    for _ in 0..MEANS {
-        let before = a;
-        let inverse = 1.0 / root;
-        a += b * inverse;
-        let g = e * inverse;
-        b = 2.0 * (b + before * g);
-        root += g;
-        let last = mean;
-        mean += k;
-        if (last - k).abs() <= 1e-8 * last {
-            break;
-        }
-        k = 2.0 * e.sqrt();
-        e = k * mean;
-    }
-    FRAC_PI_2 * (b + a * mean) / (mean * (mean + root))
-}
-
 /// An argument u of Jacobi's functions reduced to 2 m K + remainder with |remainder| ≤ K, and its amplitude.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Amplitude {
@@ -128,17 +107,6 @@ pub struct Amplitude {
     pub cosine: f64,
     /// K, a quarter of the period of u; infinite for k′ = 0.
     pub quarter_period: f64,
-}
-
-impl Amplitude {
-    /// The argument that these numbers have by (1): u, as far as they tell it.
-    pub fn argument(&self, complementary: f64) -> f64 {
-        if self.half_turns == 0.0 {
-            return argument_of(self.sine, self.cosine, complementary);
-        }
-        let sine = if is_even(self.half_turns) { self.sine } else { -self.sine };
-        self.half_turns * 2.0 * self.quarter_period + argument_of(sine, self.cosine, complementary)
-    }
 }
 
 /// The amplitude of `u`, and with it sn u and cn u, by (3) and (4). `complementary` is k′² in [0, 1]; at 0 the functions
@@ -176,7 +144,7 @@ fn nearest(x: f64) -> f64 {
 }
 
 /// Whether a whole number is even.
-pub fn is_even(whole: f64) -> bool {
+fn is_even(whole: f64) -> bool {
     2.0 * nearest(0.5 * whole) == whole
 }
 
@@ -227,21 +195,6 @@ mod tests {
         }
         for whole in [0.0, 2.0, -4.0, 1e6, 1e300] {
             assert!(is_even(whole) && (whole.abs() > 1e15 || !is_even(whole + 1.0)), "{whole}");
-        }
-    }
-
-    #[test]
-    fn the_complete_integral_is_the_incomplete_one_at_a_quarter_turn() {
-        for complementary in [1.0, 0.9, 0.3, 1e-3, 1e-9, 1e-20] {
-            for p in [1.0, 1.5, 30.0, 1e6] {
-                let complete = complete_integral_of_the_third_kind(complementary, p);
-                let carlson = integral_of_the_third_kind(0.0, complementary, 1.0, p) / 3.0;
-                // A dozen means and as many duplications, some roundings each.
-                assert!(
-                    (complete - carlson).abs() < 64.0 * f64::EPSILON * carlson,
-                    "k'² {complementary}, p {p}"
-                );
-            }
         }
     }
 
