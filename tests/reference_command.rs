@@ -54,8 +54,6 @@ fn what_is_mistyped_is_told_with_what_to_write_instead() {
         let (code, _, talk) = told(&polhode(&["kovalevskaya", "--digits", digits]));
         assert!(code == 64 && talk.contains("from 1 to 30"), "{code} {talk}");
     }
-    let (code, text, talk) = told(&polhode(&["bouncing-body"]));
-    assert!(code == 65 && text.is_empty() && talk.contains("law 'ground' has a kink"), "{code} {talk}");
     let (code, text, _) = told(&polhode(&["--help"]));
     assert!(code == 0 && text.contains("Examples:"), "{text}");
     let (code, _, _) = told(&polhode(&["free-rod", "--out", "/dev/null/no/file.json"]));

@@ -66,12 +66,6 @@ pub enum ReferenceError {
         /// What the solver says.
         reason: String,
     },
-    /// A law that no Taylor series crosses.
-    #[error("law '{law}' has a kink: no Taylor series crosses it")]
-    Kink {
-        /// Name of the law.
-        law: &'static str,
-    },
     /// The user asked for the end.
     #[error("interrupted")]
     Interrupted,

@@ -6,6 +6,8 @@
 //! others, and its inertia and angular momentum are off by a rounding, so that what the motion makes of one shows too.
 //! [`DIFFERENCE`] times the largest difference so far is the bound that is told.
 
+mod contact;
+mod crossings;
 pub mod decimal;
 mod double_double;
 mod laws;
@@ -14,6 +16,7 @@ mod problem;
 mod scale;
 mod sheet;
 mod solution;
+mod stretch;
 mod tape;
 mod taylor;
 mod triple;

@@ -56,24 +56,26 @@ pub struct Motion {
     pub moments: Vec<Moment>,
     /// Order and number of steps of the run, and of the one that it was compared with.
     pub runs: [(usize, usize); 2],
+    /// Contacts with the ground that were made or lost in the run.
+    pub switches: usize,
 }
 
 /// The motion of `system` at increasing `times` [s], given up where a run would take more than `most_work`
 /// multiply-adds.
 ///
 /// # Errors
-/// [`ReferenceError::Times`], [`ReferenceError::Kink`], [`ReferenceError::NotFinite`],
-/// [`ReferenceError::NoConvergence`], [`ReferenceError::Interrupted`].
+/// [`ReferenceError::Times`], [`ReferenceError::NotFinite`], [`ReferenceError::NoConvergence`],
+/// [`ReferenceError::Interrupted`].
 pub fn solve(system: &System, times: &[f64], most_work: f64) -> Result<Motion, ReferenceError> {
     let last = run::increasing(times)?;
     let problem = |nudge| Problem::of(system, if last > 0.0 { last } else { 1.0 }, nudge);
-    let (problem, nudged) = (problem(0.0)?, problem(NUDGE)?);
-    let (fine, fine_steps) = taylor::along(&problem, times, &CONTROLS[0], most_work)?;
-    let (coarse, coarse_steps) = taylor::along(&nudged, times, &CONTROLS[1], most_work)?;
+    let (problem, nudged) = (problem(0.0), problem(NUDGE));
+    let fine = taylor::along(&problem, times, &CONTROLS[0], most_work)?;
+    let coarse = taylor::along(&nudged, times, &CONTROLS[1], most_work)?;
     let mut largest: Spread = [0.0; 6];
     let moments = times
         .iter()
-        .zip(fine.iter().zip(&coarse))
+        .zip(fine.states.iter().zip(&coarse.states))
         .map(|(time, (fine, coarse))| {
             let mut moment = moment_of(&problem, *time, fine);
             let other = moment_of(&nudged, *time, coarse);
@@ -83,8 +85,8 @@ pub fn solve(system: &System, times: &[f64], most_work: f64) -> Result<Motion, R
             moment
         })
         .collect();
-    let runs = [(CONTROLS[0].order, fine_steps), (CONTROLS[1].order, coarse_steps)];
-    Ok(Motion { moments, runs })
+    let runs = [(CONTROLS[0].order, fine.steps), (CONTROLS[1].order, coarse.steps)];
+    Ok(Motion { moments, runs, switches: fine.switches })
 }
 
 fn moment_of(problem: &Problem, time: f64, state: &[DoubleDouble]) -> Moment {
