@@ -80,6 +80,9 @@ fn text(scene: &Scene, motion: &Motion, digits: usize) -> String {
          {other}, {other_steps} steps\n",
         scene.name
     );
+    if motion.switches > 0 {
+        let _ = writeln!(text, "Contacts with the ground made or lost on the way: {}", motion.switches);
+    }
     for moment in &motion.moments {
         text += &format!("\nt = {} s\n", moment.time);
         for (name, vectors, quantity) in rows(moment) {

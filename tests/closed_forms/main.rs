@@ -6,3 +6,4 @@ mod million_radians;
 mod points;
 mod sources;
 mod tops;
+mod turning_tops;

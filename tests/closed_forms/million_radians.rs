@@ -9,37 +9,37 @@ use polhode::rotation::{self, Rotation};
 
 use super::known::{fastest, scene};
 
-type Matrix = [[DoubleDouble; 3]; 3];
+pub type Matrix = [[DoubleDouble; 3]; 3];
 
-fn product(a: &Matrix, b: &Matrix) -> Matrix {
+pub fn product(a: &Matrix, b: &Matrix) -> Matrix {
     let entry = |i: usize, j: usize| a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j];
     std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
 }
 
-fn transposed(a: &Matrix) -> Matrix {
+pub fn transposed(a: &Matrix) -> Matrix {
     std::array::from_fn(|i| std::array::from_fn(|j| a[j][i]))
 }
 
 /// R of a moment, row by row.
-fn rows(moment: &Moment) -> Matrix {
+pub fn rows(moment: &Moment) -> Matrix {
     transposed(&moment.axes)
 }
 
 /// E + factor [v]×.
-fn small_turn(v: &[DoubleDouble; 3], factor: DoubleDouble) -> Matrix {
+pub fn small_turn(v: &[DoubleDouble; 3], factor: DoubleDouble) -> Matrix {
     let [x, y, z] = v.map(|x| x * factor);
     let one = DoubleDouble::ONE;
     [[one, -z, y], [z, one, -x], [-y, x, one]]
 }
 
-fn squared(mut matrix: Matrix, times: u32) -> Matrix {
+pub fn squared(mut matrix: Matrix, times: u32) -> Matrix {
     for _ in 0..times {
         matrix = product(&matrix, &matrix);
     }
     matrix
 }
 
-fn to_rotation(matrix: &Matrix) -> Rotation {
+pub fn to_rotation(matrix: &Matrix) -> Rotation {
     rotation::from_matrix(&Matrix3::from_fn(|i, j| matrix[i][j].to_f64()))
 }
 

@@ -67,11 +67,20 @@ pub struct Motion {
 /// [`ReferenceError::Times`], [`ReferenceError::NotFinite`], [`ReferenceError::NoConvergence`],
 /// [`ReferenceError::Interrupted`].
 pub fn solve(system: &System, times: &[f64], most_work: f64) -> Result<Motion, ReferenceError> {
+    compared(system, times, most_work, &CONTROLS)
+}
+
+fn compared(
+    system: &System,
+    times: &[f64],
+    most_work: f64,
+    controls: &[Control; 2],
+) -> Result<Motion, ReferenceError> {
     let last = run::increasing(times)?;
     let problem = |nudge| Problem::of(system, if last > 0.0 { last } else { 1.0 }, nudge);
     let (problem, nudged) = (problem(0.0), problem(NUDGE));
-    let fine = taylor::along(&problem, times, &CONTROLS[0], most_work)?;
-    let coarse = taylor::along(&nudged, times, &CONTROLS[1], most_work)?;
+    let fine = taylor::along(&problem, times, &controls[0], most_work)?;
+    let coarse = taylor::along(&nudged, times, &controls[1], most_work)?;
     let mut largest: Spread = [0.0; 6];
     let moments = times
         .iter()
@@ -85,7 +94,7 @@ pub fn solve(system: &System, times: &[f64], most_work: f64) -> Result<Motion, R
             moment
         })
         .collect();
-    let runs = [(CONTROLS[0].order, fine.steps), (CONTROLS[1].order, coarse.steps)];
+    let runs = [(controls[0].order, fine.steps), (controls[1].order, coarse.steps)];
     Ok(Motion { moments, runs, switches: fine.switches })
 }
 
@@ -180,6 +189,31 @@ impl Moment {
             angular_velocity: rounded(&self.angular_velocity),
             angular_momentum: rounded(&self.angular_momentum),
             stretch: 0.0,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenes::Scene;
+
+    #[test]
+    fn other_orders_and_steps_agree_within_both_bounds_across_contacts_too() {
+        let others = [Control { order: 30, tolerance: 1e-32 }, Control { order: 44, tolerance: 1e-33 }];
+        for name in ["bouncing-body", "tippe-top", "kovalevskaya"] {
+            let scene = Scene::find(name).expect("a built-in scene");
+            let times: Vec<f64> = (1..=16).map(|j| f64::from(j) * scene.duration / 16.0).collect();
+            let usual = solve(&scene.system, &times, AFFORDABLE).expect("a motion");
+            let other = compared(&scene.system, &times, AFFORDABLE, &others).expect("a motion");
+            assert_eq!(usual.switches, other.switches, "{name}");
+            assert_ne!(usual.runs, other.runs);
+            for (a, b) in usual.moments.iter().zip(&other.moments) {
+                let apart = apart(&scene.system, a, b);
+                for (i, apart) in apart.iter().enumerate() {
+                    assert!(*apart <= a.error[i] + b.error[i], "{name} at {} s, {i}: {apart:e}", a.time);
+                }
+            }
         }
     }
 }
