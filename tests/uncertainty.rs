@@ -84,3 +84,32 @@ fn the_solvers_alone_cover_their_error_too() {
         assert!(most <= largest, "{}: {too:?}, {most}", scene.name);
     }
 }
+
+/// What a gate drops is dropped for the rounding of f64, in which errors are taken, and never for what is not known of the truth.
+#[test]
+fn no_reference_of_a_judged_scene_is_known_less_well_than_its_numbers_are_rounded() {
+    let mut count = 0;
+    for scene in scenes::built_in().into_iter().filter(|scene| scene.only_for_stability.is_none()) {
+        let stored = stored::find(&scene.name).expect("sound");
+        let reference =
+            Reference::of(&scene.system, scene.duration, 64, stored.as_ref()).expect("a reference");
+        // That of a stored solution, a unit or so, counts for the times before it too.
+        let units = reference.states.iter().map(|state| half_a_unit(&scene.system, state));
+        let largest = units.fold([0.0f64; 6], |a, b| std::array::from_fn(|i| a[i].max(b[i])));
+        for (state, stated) in reference.states.iter().zip(&reference.uncertainty) {
+            let rounding = largest.map(|x| 8.0 * x);
+            for (i, quantity) in Quantity::ALL.into_iter().enumerate() {
+                assert!(
+                    stated[i] <= rounding[i] * (1.0 + 1e-9),
+                    "{}: {quantity:?} at {} s: {:e} > {:e}",
+                    scene.name,
+                    state.time,
+                    stated[i],
+                    rounding[i]
+                );
+            }
+        }
+        count += 1;
+    }
+    assert!(count >= 37, "{count}");
+}
