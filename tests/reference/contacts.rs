@@ -143,6 +143,9 @@ fn every_way_of_touching_is_solved_with_a_bound_that_dop853_bears_out() {
         assert!(worst < apart, "{name}: {worst:e}");
         let bound = motion.moments.iter().map(|m| largest(&m.error)).fold(0.0, f64::max);
         assert!(bound < 1e-24, "{name}: {bound:e}");
+        // At rest there is nothing left of Ω and L but their errors, which are told over what they were.
+        let digits = motion.certain_digits(&system);
+        assert!(digits >= 24, "{name}: {digits}");
         assert_eq!(motion.switches == 0, name.starts_with("sliding"), "{name}: {}", motion.switches);
     }
 }

@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::double_double::DoubleDouble;
 use super::problem::{Problem, SHOWN};
 use super::taylor::{self, Control};
-use crate::model::{Snapshot, System};
+use crate::model::{Quantity, Snapshot, System};
 use crate::reference::sources::Spread;
 use crate::reference::{ReferenceError, run};
 use crate::rotation;
@@ -58,6 +58,8 @@ pub struct Motion {
     pub runs: [(usize, usize); 2],
     /// Contacts with the ground that were made or lost in the run.
     pub switches: usize,
+    /// What position [m], velocity [m/s], orientation, Ω [rad/s] and L [kg m²/s] of the scene come to, to a power of two.
+    scales: [f64; 5],
 }
 
 /// The motion of `system` at increasing `times` [s], given up where a run would take more than `most_work`
@@ -95,7 +97,15 @@ fn compared(
         })
         .collect();
     let runs = [(controls[0].order, fine.steps), (controls[1].order, coarse.steps)];
-    Ok(Motion { moments, runs, switches: fine.switches })
+    let momentum = problem.scale.momentum * problem.scale.unit([1, 2, -1]);
+    let scales = [
+        system.body.extent(),
+        problem.scale.speed * problem.scale.unit([0, 1, -1]),
+        1.0,
+        if system.body.moments.amax() > 0.0 { momentum / system.body.moments.amax() } else { 0.0 },
+        momentum,
+    ];
+    Ok(Motion { moments, runs, switches: fine.switches, scales })
 }
 
 fn moment_of(problem: &Problem, time: f64, state: &[DoubleDouble]) -> Moment {
@@ -155,19 +165,23 @@ fn apart(system: &System, a: &Moment, b: &Moment) -> Spread {
 }
 
 impl Motion {
-    /// Digits that every quantity has, before its error bound reaches half a unit in the last one; a quantity that is
-    /// nothing but rounding of others has none of its own, and is left out.
+    /// Digits that every quantity has of the largest that it has been, or of what it comes to in such a scene, before its error bound reaches half a unit in the last
+    /// one; a quantity that is nothing but rounding of others has none of its own, and is left out.
     pub fn certain_digits(&self, system: &System) -> usize {
         let size = |v: &[DoubleDouble; 3]| v.iter().map(|x| x.high * x.high).sum::<f64>().sqrt();
+        let extent = system.body.extent();
+        // A body that comes to rest keeps the error, but not the size.
+        let mut sizes = self.scales;
         let ratios = self.moments.iter().flat_map(|moment| {
-            let extent = system.body.extent();
-            [
-                (size(&moment.position).max(extent), moment.error[0]),
-                (size(&moment.velocity).max(extent * size(&moment.angular_velocity)), moment.error[1]),
-                (1.0, moment.error[2]),
-                (size(&moment.angular_velocity), moment.error[3]),
-                (size(&moment.angular_momentum), moment.error[4]),
-            ]
+            let now = [
+                size(&moment.position).max(extent),
+                size(&moment.velocity).max(extent * size(&moment.angular_velocity)),
+                1.0,
+                size(&moment.angular_velocity),
+                size(&moment.angular_momentum),
+            ];
+            sizes = std::array::from_fn(|i| now[i].max(sizes[i]));
+            std::array::from_fn::<(f64, f64), 5, _>(|i| (sizes[i], moment.error[i]))
         });
         let worst =
             ratios.filter(|(size, _)| *size > 0.0).map(|(size, error)| error / size).fold(0.0, f64::max);
@@ -177,6 +191,15 @@ impl Motion {
 }
 
 impl Moment {
+    /// Bound of the error of a quantity.
+    pub fn bound(&self, quantity: Quantity) -> f64 {
+        Quantity::ALL
+            .iter()
+            .zip(self.error)
+            .find(|(q, _)| **q == quantity)
+            .map_or(f64::INFINITY, |(_, bound)| bound)
+    }
+
     /// The same, rounded to f64.
     pub fn snapshot(&self) -> Snapshot {
         let rounded = |v: &[DoubleDouble; 3]| Vector3::new(v[0].to_f64(), v[1].to_f64(), v[2].to_f64());
