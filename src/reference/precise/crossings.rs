@@ -156,7 +156,7 @@ mod tests {
     #[test]
     fn a_touch_is_no_crossing_and_roots_at_the_start_are_left_out() {
         let touch = Polynomial::reduced(&with_roots(&[0.5, 0.5]), 0.0, 1.0, 1e-29).expect("a polynomial");
-        assert!(touch.crossings().len() % 2 == 0 && touch.starts_positive());
+        assert!(touch.crossings().len().is_multiple_of(2) && touch.starts_positive());
         // s (s − ½), its lowest coefficient off by a rounding.
         let mut coefficients = with_roots(&[0.0, 0.5]);
         coefficients[0] = DoubleDouble::from(3e-32);

@@ -13,7 +13,7 @@
 
 use super::double_double::DoubleDouble;
 use super::problem::Problem;
-use super::stretch::Stretch;
+use super::stretch::{Stretch, Switch};
 use super::tape::Series;
 use crate::interrupt;
 use crate::reference::ReferenceError;
@@ -56,50 +56,91 @@ pub(super) fn along(
     control: &Control,
     most_work: f64,
 ) -> Result<Course, ReferenceError> {
-    let mut stretch = Stretch::new(problem, control.order);
-    let (mut state, mut reached) = (problem.start.clone(), DoubleDouble::ZERO);
-    let (mut course, mut work, mut standing) = (Course::default(), 0.0, 0);
-    let last = times.last().map_or(0.0, |time| time / problem.scale.time);
-    let mut wanted = times.iter().map(|time| time / problem.scale.time).peekable();
+    let in_units = |time: &f64| time / problem.scale.time;
+    let mut run = Run {
+        problem,
+        control,
+        last: times.last().map_or(0.0, in_units),
+        stretch: Stretch::new(problem, control.order),
+        state: problem.start.clone(),
+        reached: DoubleDouble::ZERO,
+        work: 0.0,
+        standing: 0,
+        course: Course::default(),
+    };
+    let mut wanted = times.iter().map(in_units).peekable();
     while wanted.peek().is_some() {
         if interrupt::requested() {
             return Err(ReferenceError::Interrupted);
         }
-        let time = reached.high * problem.scale.time;
-        let given_up = |reason: String| ReferenceError::NoConvergence {
-            method: NAME,
-            time,
-            evaluations: course.steps,
-            reason,
-        };
-        let switched = stretch.develop(problem, &state);
-        let undecided = || given_up(format!("which of {} points touch cannot be told", stretch.contacts()));
-        course.switches += switched.ok_or_else(undecided)?;
-        let step = step(&stretch.series, problem, control);
-        if !state.iter().all(|x| x.is_finite()) || step.is_nan() {
-            return Err(ReferenceError::NotFinite { method: NAME, time });
-        }
-        let switch = stretch.first_switch(step.min(last - reached.high));
-        let stride = switch.map_or(step.into(), |switch| switch.after);
-        let end = reached + stride;
-        work += stretch.work();
-        let projected = if course.steps < ENOUGH { 0.0 } else { work * last / reached.high };
-        // Contacts that are made or lost at one moment, to a rounding, take no time.
-        standing = if stride.high > STANDING * step { 0 } else { standing + 1 };
-        if end == reached && switch.is_none() || standing > 2 * stretch.contacts() || projected > most_work {
-            let seconds = stride.high * problem.scale.time;
-            return Err(given_up(format!("a step of {seconds:e} s at order {}", control.order)));
-        }
+        let (stride, switch) = run.stride(most_work)?;
+        let end = run.reached + stride;
         while let Some(time) = wanted.next_if(|time| DoubleDouble::from(*time) <= end) {
-            let mut shown = stretch.series.state(DoubleDouble::from(time) - reached);
+            let mut shown = run.stretch.series.state(DoubleDouble::from(time) - run.reached);
             problem.normalize(&mut shown);
-            course.states.push(shown);
+            run.course.states.push(shown);
         }
-        state = stretch.end(stride, switch);
-        problem.normalize(&mut state);
-        (reached, course.steps) = (end, course.steps + 1);
+        run.state = run.stretch.end(stride, switch);
+        problem.normalize(&mut run.state);
+        run.reached = end;
+        run.course.steps += 1;
     }
-    Ok(course)
+    Ok(run.course)
+}
+
+/// A run on its way; times in units of the tape.
+struct Run<'a> {
+    problem: &'a Problem<'a>,
+    control: &'a Control,
+    last: f64,
+    stretch: Stretch,
+    state: Vec<DoubleDouble>,
+    reached: DoubleDouble,
+    /// Multiply-adds so far.
+    work: f64,
+    /// Steps in a row that took no time.
+    standing: usize,
+    course: Course,
+}
+
+impl Run<'_> {
+    /// The next step, and what makes it end there.
+    fn stride(&mut self, most_work: f64) -> Result<(DoubleDouble, Option<Switch>), ReferenceError> {
+        let Some(switched) = self.stretch.develop(self.problem, &self.state) else {
+            let contacts = self.stretch.contacts();
+            return Err(self.given_up(format!("which of {contacts} points touch cannot be told")));
+        };
+        self.course.switches += switched;
+        let step = step(&self.stretch.series, self.problem, self.control);
+        if !self.state.iter().all(|x| x.is_finite()) || step.is_nan() {
+            return Err(ReferenceError::NotFinite { method: NAME, time: self.seconds() });
+        }
+        let longest = step.min(self.last - self.reached.high);
+        let switch = self.stretch.first_switch(longest);
+        let stride = switch.map_or(step.into(), |switch| switch.after);
+        self.work += self.stretch.work();
+        let rest = if self.course.steps < ENOUGH { 0.0 } else { self.last / self.reached.high };
+        // Contacts that are made or lost at one moment, to a rounding, take no time.
+        self.standing = if stride.high > STANDING * longest { 0 } else { self.standing + 1 };
+        let stands = match switch {
+            Some(_) => self.standing > 2 * self.stretch.contacts(),
+            None => self.reached + stride == self.reached,
+        };
+        if stands || self.work * rest > most_work {
+            let (seconds, order) = (stride.high * self.problem.scale.time, self.control.order);
+            return Err(self.given_up(format!("a step of {seconds:e} s at order {order}")));
+        }
+        Ok((stride, switch))
+    }
+
+    fn seconds(&self) -> f64 {
+        self.reached.high * self.problem.scale.time
+    }
+
+    fn given_up(&self, reason: String) -> ReferenceError {
+        let (time, evaluations) = (self.seconds(), self.course.steps);
+        ReferenceError::NoConvergence { method: NAME, time, evaluations, reason }
+    }
 }
 
 /// (2), rounded to 24 bits so that times add up exactly.
