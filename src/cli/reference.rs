@@ -80,14 +80,17 @@ fn text(scene: &Scene, motion: &Motion, digits: usize) -> String {
          {other}, {other_steps} steps\n",
         scene.name
     );
+    if motion.switches > 0 {
+        let _ = writeln!(text, "Contacts with the ground made or lost on the way: {}", motion.switches);
+    }
     for moment in &motion.moments {
         text += &format!("\nt = {} s\n", moment.time);
         for (name, vectors, quantity) in rows(moment) {
-            let index = Quantity::ALL.iter().position(|q| *q == quantity).unwrap_or_default();
-            let _ = writeln!(text, "  {name}, within {:.1e} {}", moment.error[index], quantity.unit());
+            let bound = moment.bound(quantity);
+            let _ = writeln!(text, "  {name}, within {bound:.1e} {}", quantity.unit());
             for vector in vectors {
-                let numbers =
-                    vector.map(|x| format!("{:>width$}", decimal::write(x, digits), width = digits + 4));
+                let numbers = decimal::write_vector(&vector, bound, digits);
+                let numbers = numbers.map(|x| format!("{x:>width$}", width = digits + 4));
                 let _ = writeln!(text, "    {}", numbers.join("  "));
             }
         }

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::precise::{DoubleDouble, Moment, decimal};
 use super::stored::{Stored, StoredError};
 use crate::model::body::Shape;
-use crate::model::{Snapshot, System};
+use crate::model::{Quantity, Snapshot, System};
 use crate::rotation::{self, Rotation};
 
 type Triple = [String; 3];
@@ -57,19 +57,24 @@ impl Sample {
 impl Sample {
     /// A moment of a motion of `system`, to so many digits.
     pub fn of(system: &System, moment: &Moment, digits: usize) -> Sample {
-        let triple = |v: &[DoubleDouble; 3]| v.each_ref().map(|x| decimal::write(*x, digits));
+        let triple = |v: &[DoubleDouble; 3], quantity: Quantity| {
+            decimal::write_vector(v, moment.bound(quantity), digits)
+        };
         let turned = |x: Vector3<f64>| {
             let product = |row: usize, column: usize| moment.axes[column][row] * x[column].into();
             [0, 1, 2].map(|row| product(row, 0) + product(row, 1) + product(row, 2))
         };
-        let row = |row: usize| triple(&[0, 1, 2].map(|column: usize| moment.axes[column][row]));
-        let places = system.body.points.iter().map(|point| triple(&turned(point.position)));
+        let row = |row: usize| {
+            triple(&[0, 1, 2].map(|column: usize| moment.axes[column][row]), Quantity::Orientation)
+        };
+        let places =
+            system.body.points.iter().map(|point| triple(&turned(point.position), Quantity::BodyPoint));
         Sample {
             time_s: moment.time.to_string(),
-            X_cm: Some(triple(&moment.position)),
-            U_cm: Some(triple(&moment.velocity)),
-            L: Some(triple(&moment.angular_momentum)),
-            W: Some(triple(&moment.angular_velocity)),
+            X_cm: Some(triple(&moment.position, Quantity::Position)),
+            U_cm: Some(triple(&moment.velocity, Quantity::Velocity)),
+            L: Some(triple(&moment.angular_momentum, Quantity::AngularMomentum)),
+            W: Some(triple(&moment.angular_velocity, Quantity::AngularVelocity)),
             W_body: None,
             E: None,
             R: Some([0, 1, 2].map(row)),

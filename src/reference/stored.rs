@@ -1,7 +1,7 @@
 //! The stored solutions of `references/solutions`: 24 to 40 digits at T/4, T/2, 3T/4 and T.
 //!
 //! Fourteen were made by independent programs in 230-bit arithmetic; the others by `polhode reference`, whose method
-//! meets those fourteen. There is none for a body on the ground, whose forces have a kink.
+//! meets those fourteen.
 //!
 //! Numbers are decimal strings, rounded once, to the nearest f64, on reading. A SHA-256 over the canonical text
 //! of the samples (defined in `references/solutions/README.md`) is checked before anything is used.
@@ -152,6 +152,8 @@ files! {
     "osrf-boxes-simple",
     "osrf-boxes-complex",
     "thin-body",
+    "bouncing-body",
+    "tippe-top",
 }
 
 /// The stored solution of a built-in scene; `None` where there is none.

@@ -41,11 +41,8 @@ fn closed_forms_are_good_to_a_few_units_a_radian_and_say_so() {
         let mut worst = 0.0f64;
         for (j, state) in found.states.iter().enumerate() {
             let error = difference(&scene.system.body, state, &exact[j]);
-            // ψ of `lagrange_top` is 20 (u − 385 S), where the rod hangs to 4e-4 in cos θ: 20 times the three roundings of u, and of
-            // S, that the difference keeps. Measured: 51.
-            let units = if scene.name == "swinging-rod" { 64.0 } else { UNITS };
-            let bound = units * f64::EPSILON * (1.0 + turned[j]).max(amplified[j]);
-            worst = worst.max(units * error[2] / bound);
+            let bound = UNITS * f64::EPSILON * (1.0 + turned[j]).max(amplified[j]);
+            worst = worst.max(UNITS * error[2] / bound);
             assert!(error[2] <= bound, "{} at {} s: {:e} > {bound:e}", scene.name, times[j], error[2]);
             let sizes = [
                 rotation::length(&exact[j].position) + scene.system.body.extent(),

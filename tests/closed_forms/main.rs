@@ -8,3 +8,4 @@ mod points;
 mod recurrence;
 mod sources;
 mod tops;
+mod turning_tops;

@@ -19,28 +19,33 @@ pub fn motion(system: &System, times: &[f64]) -> Motion {
     precise::solve(system, times, 100.0 * AFFORDABLE).expect("a motion")
 }
 
-fn product(a: &Matrix, b: &Matrix) -> Matrix {
+pub fn product(a: &Matrix, b: &Matrix) -> Matrix {
     let entry = |i: usize, j: usize| a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j];
     std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
 }
 
-fn transposed(a: &Matrix) -> Matrix {
+pub fn transposed(a: &Matrix) -> Matrix {
     std::array::from_fn(|i| std::array::from_fn(|j| a[j][i]))
 }
 
 /// R of a moment, row by row.
-fn rows(moment: &Moment) -> Matrix {
+pub fn rows(moment: &Moment) -> Matrix {
     transposed(&moment.axes)
+}
+
+/// E + factor [v]×.
+pub fn small_turn(v: &[DoubleDouble; 3], factor: DoubleDouble) -> Matrix {
+    let [x, y, z] = v.map(|x| x * factor);
+    let one = DoubleDouble::ONE;
+    [[one, -z, y], [z, one, -x], [-y, x, one]]
 }
 
 /// R a little later than at `moment`, to first order.
 fn later(moment: &Moment, time: DoubleDouble) -> Matrix {
-    let [x, y, z] = moment.angular_velocity.map(|x| x * time);
-    let one = DoubleDouble::ONE;
-    product(&[[one, -z, y], [z, one, -x], [-y, x, one]], &rows(moment))
+    product(&small_turn(&moment.angular_velocity, time), &rows(moment))
 }
 
-fn power(matrix: &Matrix, mut count: u64) -> Matrix {
+pub fn power(matrix: &Matrix, mut count: u64) -> Matrix {
     let one = |i: usize, j: usize| if i == j { DoubleDouble::ONE } else { DoubleDouble::ZERO };
     let mut all: Matrix = std::array::from_fn(|i| std::array::from_fn(|j| one(i, j)));
     let mut square = *matrix;
@@ -54,7 +59,7 @@ fn power(matrix: &Matrix, mut count: u64) -> Matrix {
     all
 }
 
-fn to_rotation(matrix: &Matrix) -> Rotation {
+pub fn to_rotation(matrix: &Matrix) -> Rotation {
     rotation::from_matrix(&Matrix3::from_fn(|i, j| matrix[i][j].to_f64()))
 }
 

@@ -8,7 +8,7 @@ use polhode::rotation;
 
 use super::known::{V, exact, grid, turned};
 
-fn top(points: &[[f64; 4]], turn: V, momentum: V, gravity: V) -> System {
+pub fn top(points: &[[f64; 4]], turn: V, momentum: V, gravity: V) -> System {
     let given: Vec<_> =
         points.iter().map(|[m, x, y, z]| MassPoint { mass: *m, position: V::new(*x, *y, *z) }).collect();
     let body = Body::from_points(&given, Some(V::zeros())).expect("a body").0;
@@ -19,11 +19,11 @@ fn top(points: &[[f64; 4]], turn: V, momentum: V, gravity: V) -> System {
         .expect("a system")
 }
 
-const BLADES: [[f64; 4]; 4] =
+pub const BLADES: [[f64; 4]; 4] =
     [[0.5, 0.5, 0.0, 1.0], [0.5, -0.5, 0.0, 1.0], [0.5, 0.0, 0.5, 1.0], [0.5, 0.0, -0.5, 1.0]];
-const SIDEWAYS: [[f64; 4]; 4] =
+pub const SIDEWAYS: [[f64; 4]; 4] =
     [[0.5, -1.0, 0.5, 0.0], [0.5, -1.0, -0.5, 0.0], [0.5, -1.0, 0.0, 0.5], [0.5, -1.0, 0.0, -0.5]];
-const ROD: [[f64; 4]; 2] = [[1.0, 0.0, 0.0, 0.5], [2.0, 0.0, 0.0, 1.0]];
+pub const ROD: [[f64; 4]; 2] = [[1.0, 0.0, 0.0, 0.5], [2.0, 0.0, 0.0, 1.0]];
 
 /// Tops and pendulums of every kind; through the vertical the axis passes with p = ± s exactly.
 #[test]

@@ -2,6 +2,7 @@
 
 mod agreement;
 mod building;
+mod contacts;
 mod motions;
 mod scaling;
 mod solvers;

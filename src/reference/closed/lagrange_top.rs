@@ -8,7 +8,8 @@
 //! (3)  1 ± z = (1 ± z₁) (cn² u + ρ± sn² u),  ρ± = (1 ± z₂)/(1 ± z₁)
 //! (4)  q = V (α, β) Rot(e₃ (1/C − 1/A) L·e₃ t) W:  w + i z = α,  x + i y = β  turn v to e₃
 //! (5)  α = √((1 + z)/2) e^{iψ₊},  ψ₊' = (p + s)/(2 (1 + z));   β = √((1 − z)/2) e^{iψ₋},  ψ₋' = (p − s)/(2 (1 − z))
-//! (6)  ∫ du/(cn² + ρ sn²) = u − (ρ − 1) S(u), S the third-kind integral over sn²
+//! (6)  ∫ du/(cn² + ρ sn²) = u + (1 − ρ) S(u, ρ), S = ∫ sn²/(cn² + ρ sn²) du of the third kind, where ρ ≤ 1
+//!                         = [u + k′² (1 − 1/ρ) S(u + K, k′²/ρ)]/ρ where ρ > 1: sums of what is above zero, so that none cancels
 //! (7)  L = L·e₃ e₃ + A (θ̇ n + (p − s z)/sin θ (e₃ × n)), n the line of nodes
 //!
 //! Each of the Cayley–Klein parameters α and β has a phase of its own: near the vertical β is small, its phase moves
@@ -187,10 +188,34 @@ impl Top {
             _ => {}
         }
         let size = after.cosine.hypot(parameter.ratio.sqrt() * after.sine); // (3)
-        let swept = |end: &Amplitude| self.swept(end, parameter.ratio);
-        // Where sn no longer tells u, S still tells the rest.
-        let passed = (u - self.u) - (parameter.ratio - 1.0) * (swept(after) - swept(&self.first)); // (6)
+        let passed = self.passed(parameter.ratio, after, u);
         (parameter.size * size, parameter.phase + parameter.rate * passed)
+    }
+
+    /// (6) from the start to u. Where sn no longer tells u, S still tells the rest.
+    fn passed(&self, ratio: f64, after: &Amplitude, u: f64) -> f64 {
+        let swept = |end: &Amplitude, ratio| self.swept(end, ratio);
+        if ratio <= 1.0 || self.complementary == 0.0 {
+            return (u - self.u) + (1.0 - ratio) * (swept(after, ratio) - swept(&self.first, ratio));
+        }
+        let shifted = |end: &Amplitude| swept(&self.a_quarter_later(end), self.complementary / ratio);
+        let part = self.complementary * (1.0 - 1.0 / ratio);
+        ((u - self.u) + part * (shifted(after) - shifted(&self.first))) / ratio
+    }
+
+    /// sn (u + K) = cn/dn, cn (u + K) = −k′ sn/dn.
+    fn a_quarter_later(&self, end: &Amplitude) -> Amplitude {
+        let Amplitude { half_turns, sine, cosine, .. } = *end;
+        let delta = (cosine * cosine + self.complementary * sine * sine).sqrt();
+        // The amplitude is past a half turn where it was past a quarter before.
+        let past = if (half_turns % 2.0 == 0.0) == (sine > 0.0) { 1.0 } else { 0.0 };
+        let past = if sine == 0.0 { 0.0 } else { past };
+        Amplitude {
+            half_turns: half_turns + past,
+            sine: cosine / delta,
+            cosine: -self.complementary.sqrt() * sine / delta,
+            ..*end
+        }
     }
 
     /// S of (6), by the integral over the amplitude: 2 m times that of a quarter turn, and the rest.

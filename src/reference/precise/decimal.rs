@@ -111,6 +111,18 @@ pub fn write(number: DoubleDouble, significant: usize) -> String {
     }
 }
 
+/// A vector to so many significant digits, or as many as `bound` leaves of its largest entry: of one that is no larger than
+/// its bound nothing but zeros.
+pub fn write_vector(vector: &[DoubleDouble; 3], bound: f64, significant: usize) -> [String; 3] {
+    let largest = vector.iter().map(|x| x.high.abs()).fold(0.0, f64::max);
+    let certain = (largest / (2.0 * bound)).log10().floor();
+    if certain < 1.0 {
+        return [0, 1, 2].map(|_| "0".to_owned());
+    }
+    let digits = if certain < significant as f64 { certain as usize } else { significant };
+    vector.map(|x| write(x, digits))
+}
+
 /// The number of a decimal text, with or without an exponent; what has an exponent is read as an f64.
 pub fn read(text: &str) -> Option<DoubleDouble> {
     let high: f64 = text.parse().ok().filter(|x: &f64| x.is_finite())?;
@@ -140,6 +152,17 @@ mod tests {
         assert_eq!(write(DoubleDouble::ZERO, 30), "0");
         assert_eq!(read("one"), None);
         assert_eq!(read("-2.5e-3").expect("a number").high, -2.5e-3);
+    }
+
+    #[test]
+    fn a_vector_is_written_to_the_digits_that_its_bound_leaves() {
+        let third = DoubleDouble::ONE / DoubleDouble::from(3.0);
+        let vector = [third, third.scaled(0.5), DoubleDouble::ZERO];
+        assert_eq!(write_vector(&vector, 1e-30, 5), ["0.33333", "0.16667", "0"]);
+        assert_eq!(write_vector(&vector, 1e-4, 5), ["0.333", "0.167", "0"]);
+        assert_eq!(write_vector(&vector, 0.2, 5), ["0", "0", "0"]);
+        assert_eq!(write_vector(&vector, 0.0, 2), ["0.33", "0.17", "0"]);
+        assert_eq!(write_vector(&[DoubleDouble::ZERO; 3], 0.0, 2), ["0", "0", "0"]);
     }
 
     #[test]

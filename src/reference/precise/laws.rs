@@ -1,11 +1,12 @@
 //! The force laws once more, on a tape: written from their formulas, not from the code that schemes run.
 //!
 //! Every mass point and every spring is visited; a place x in the body stands at R x from the origin and moves with
-//! U + [Ω]× R x. Angles ωt enter as pairs cos ωt, sin ωt, two variables of the equations. The ground has a kink, and
-//! no Taylor series across it.
+//! U + [Ω]× R x. Angles ωt enter as pairs cos ωt, sin ωt, two variables of the equations. The ground is in
+//! [`super::contact`].
 
 use nalgebra::Vector3;
 
+use super::contact::Contacts;
 use super::double_double::DoubleDouble;
 use super::matter::Matter;
 use super::scale::Scale;
@@ -62,30 +63,35 @@ fn length(v: &Vector3<f64>) -> DoubleDouble {
 }
 
 impl<'a> Motion<'a> {
-    /// What `law` does, or nothing for a law with a kink; `phase` turns at its [`rate`].
-    pub(super) fn load(&self, law: &Law, phase: Option<Phase<'a>>) -> Option<Load<'a>> {
+    /// What `law` does; `phase` turns at its [`rate`].
+    pub(super) fn load(
+        &self,
+        law: &Law,
+        phase: Option<Phase<'a>>,
+        contacts: &mut Contacts<'a, '_>,
+    ) -> Load<'a> {
         let none = Triple::zero(self.sheet);
-        let torque = |torque| Some(Load { force: none, torque });
+        let torque = |torque| Load { force: none, torque };
         match law {
             Law::Gravity(gravity) => {
                 let weight = self.constant(&gravity.acceleration, [0, 1, -2]).scaled(self.matter.mass);
                 let torque = self.axes.of(self.matter.center).cross(weight);
-                Some(Load { force: weight, torque })
+                Load { force: weight, torque }
             }
-            Law::Spring(spring) => Some(self.spring(spring)),
-            Law::Drag(drag) => Some(self.on_points(|motion, k, x| {
+            Law::Spring(spring) => self.spring(spring),
+            Law::Drag(drag) => self.on_points(|motion, k, x| {
                 let coefficient = motion.scale.plain(drag.coefficient.of(k), [1, 0, -1]);
                 motion.velocity_of(x).scaled(-coefficient)
-            })),
-            Law::CentralGravity(central) => Some(self.on_points(|motion, k, x| {
+            }),
+            Law::CentralGravity(central) => self.on_points(|motion, k, x| {
                 let mass = motion.scale.plain(motion.system.body.points[k].mass, [1, 0, 0]);
                 motion.attraction(central, x).scaled(mass)
-            })),
-            Law::Lorentz(lorentz) => Some(self.lorentz(lorentz, phase)),
+            }),
+            Law::Lorentz(lorentz) => self.lorentz(lorentz, phase),
             Law::Torque(law) => torque(self.torque(law, phase)),
             Law::Dipole(dipole) => torque(self.dipole(dipole)),
             Law::GravityGradient(gradient) => torque(self.gradient(gradient, phase)),
-            Law::Ground(_) => None,
+            Law::Ground(ground) => self.ground(ground, contacts),
         }
     }
 
@@ -94,7 +100,7 @@ impl<'a> Motion<'a> {
     }
 
     /// A place in the body [m] from the origin, world axes, in units.
-    fn arm(&self, x: &Vector3<f64>) -> Triple<'a> {
+    pub(super) fn arm(&self, x: &Vector3<f64>) -> Triple<'a> {
         self.axes.of(self.place(x))
     }
 
@@ -102,7 +108,7 @@ impl<'a> Motion<'a> {
         [x.x, x.y, x.z].map(|x| self.scale.plain(x, [0, 1, 0]).into())
     }
 
-    fn velocity_of(&self, x: &Vector3<f64>) -> Triple<'a> {
+    pub(super) fn velocity_of(&self, x: &Vector3<f64>) -> Triple<'a> {
         self.velocity + self.turning.of(self.place(x))
     }
 
@@ -110,7 +116,10 @@ impl<'a> Motion<'a> {
         Load { force, torque: self.arm(x).cross(force) }
     }
 
-    fn on_points(&self, force: impl Fn(&Self, usize, &Vector3<f64>) -> Triple<'a>) -> Load<'a> {
+    pub(super) fn on_points(
+        &self,
+        mut force: impl FnMut(&Self, usize, &Vector3<f64>) -> Triple<'a>,
+    ) -> Load<'a> {
         let none = Triple::zero(self.sheet);
         let mut load = Load { force: none, torque: none };
         for (k, point) in self.system.body.points.iter().enumerate() {

@@ -5,7 +5,12 @@
 //! different order and step disagree by: the second has the larger error of truncation, its rounding errors are
 //! others, and its inertia and angular momentum are off by a rounding, so that what the motion makes of one shows too.
 //! [`DIFFERENCE`] times the largest difference so far is the bound that is told.
+//!
+//! A body on the ground is followed from one touch or leave to the next, each found to the last digit on the series of
+//! depth and push.
 
+mod contact;
+mod crossings;
 pub mod decimal;
 mod double_double;
 mod laws;
@@ -14,6 +19,7 @@ mod problem;
 mod scale;
 mod sheet;
 mod solution;
+mod stretch;
 mod tape;
 mod taylor;
 mod triple;

@@ -15,6 +15,7 @@
 
 use nalgebra::Vector3;
 
+use super::contact::{Contacts, Guard};
 use super::double_double::DoubleDouble;
 use super::laws::{self, Load, Motion, Phase};
 use super::matter::{Matter, nudged};
@@ -25,17 +26,17 @@ use super::triple::{Columns, Triple};
 use crate::model::System;
 use crate::model::body::{Body, Shape};
 use crate::model::forces::Law;
-use crate::reference::ReferenceError;
 use crate::rotation::Rotation;
 
 /// Numbers that are read off a state: X_cm 3, U_cm 3, R column by column 9, Ω 3, L 3.
 pub(super) const SHOWN: usize = 21;
 
 /// A system as equations, and where it starts.
-pub(super) struct Problem {
+pub(super) struct Problem<'a> {
+    system: &'a System,
+    matter: Matter,
+    nudge: f64,
     pub scale: Scale,
-    /// Its rates.
-    pub tape: Tape,
     /// What is shown of a state, in place of rates.
     pub shown: Tape,
     /// The variables at t = 0, in units.
@@ -44,6 +45,15 @@ pub(super) struct Problem {
     pub sizes: Vec<f64>,
     /// Place of the quaternion among the variables.
     pub quaternion: Option<usize>,
+}
+
+/// The equations while the contacts with the ground are what they are.
+pub(super) struct Branch {
+    /// The rates.
+    pub tape: Tape,
+    /// What must be above zero for each contact to hold: places on the tape, and the size of what each is the
+    /// difference of.
+    pub contacts: Vec<Vec<(usize, f64)>>,
 }
 
 /// Variables as they are written on the sheet.
@@ -60,24 +70,34 @@ impl Variables {
     }
 }
 
-impl Problem {
-    /// The equations of `system` for a run of `duration` [s], with inertia and L off by `nudge` of themselves.
-    ///
-    /// # Errors
-    /// [`ReferenceError::Kink`].
-    pub(super) fn of(system: &System, duration: f64, nudge: f64) -> Result<Problem, ReferenceError> {
+impl<'a> Problem<'a> {
+    /// The equations of `system` for a run of `duration` [s], with inertia and L off by `nudge` of themselves, and the
+    /// place and velocity of a body on the ground.
+    pub(super) fn of(system: &'a System, duration: f64, nudge: f64) -> Problem<'a> {
         let (sheet, scale) = (Sheet::default(), Scale::of(system, duration));
         let matter = Matter::of(&system.body, &scale).nudged(nudge);
         let mut variables = Variables::default();
         let place = Place::new(&sheet, system, &scale, &matter, &mut variables, nudge);
-        let phases: Vec<Option<Phase>> = system
-            .forces
-            .laws()
-            .iter()
-            .map(|law| phase(&sheet, laws::rate(law).scaled(scale.time), &mut variables))
-            .collect();
+        let _ = phases(&sheet, system, &scale, &mut variables);
         let motion = place.motion(&sheet, system, &scale, &matter);
-        let load = total(&motion, &phases)?;
+        let mut shown = (motion.origin + motion.axes.of(matter.center)).0.to_vec();
+        shown.extend((motion.velocity + motion.turning.of(matter.center)).0);
+        shown.extend(motion.axes.0.iter().flat_map(|column| column.0));
+        shown.extend(place.spin.0.into_iter().chain(place.momentum.0));
+        let (shown, quaternion) = (sheet.tape(&shown, &[]), place.quaternion);
+        let Variables { start, sizes } = variables;
+        Problem { system, matter, nudge, scale, shown, start, sizes, quaternion }
+    }
+
+    /// The equations with these contacts; none holds beyond the end of the list.
+    pub(super) fn branch(&self, touching: &[bool]) -> Branch {
+        let (sheet, mut variables) = (Sheet::default(), Variables::default());
+        let Problem { system, matter, scale, .. } = self;
+        let place = Place::new(&sheet, system, scale, matter, &mut variables, self.nudge);
+        let phases = phases(&sheet, system, scale, &mut variables);
+        let motion = place.motion(&sheet, system, scale, matter);
+        let mut contacts = Contacts { touching, guards: Vec::new() };
+        let load = total(&motion, &phases, &mut contacts);
         let mut rates = Vec::new();
         if !system.body.pivoted {
             rates.extend(motion.velocity.0);
@@ -92,14 +112,10 @@ impl Problem {
         for phase in phases.iter().flatten() {
             rates.extend([-phase.sine.times(phase.rate), phase.cosine.times(phase.rate)]); // (4)
         }
-        let mut shown = (motion.origin + motion.axes.of(matter.center)).0.to_vec();
-        shown.extend((motion.velocity + motion.turning.of(matter.center)).0);
-        shown.extend(motion.axes.0.iter().flat_map(|column| column.0));
-        shown.extend(place.spin.0.into_iter().chain(place.momentum.0));
-        let (tape, shown) = (sheet.tape(&rates), sheet.tape(&shown));
-        let Variables { start, sizes } = variables;
-        let quaternion = place.quaternion;
-        Ok(Problem { scale, tape, shown, start, sizes, quaternion })
+        let watched: Vec<Node> = contacts.guards.iter().flatten().map(|guard| guard.node).collect();
+        let placed = |guard: &Guard| (guard.node.place(), guard.size);
+        let contacts = contacts.guards.iter().map(|guards| guards.iter().map(placed).collect()).collect();
+        Branch { tape: sheet.tape(&rates, &watched), contacts }
     }
 
     /// Brings the quaternion among variables to length one: a rounding error that no rate sees would grow.
@@ -117,14 +133,14 @@ fn unit_quaternion(orientation: &Rotation) -> [DoubleDouble; 4] {
     values.map(|x| x / length)
 }
 
-fn total<'a>(motion: &Motion<'a>, phases: &[Option<Phase<'a>>]) -> Result<Load<'a>, ReferenceError> {
+fn total<'a>(motion: &Motion<'a>, phases: &[Option<Phase<'a>>], contacts: &mut Contacts<'a, '_>) -> Load<'a> {
     let none = Triple::zero(motion.sheet);
     let mut total = Load { force: none, torque: none };
     for (law, phase) in motion.system.forces.laws().iter().zip(phases) {
-        let load = motion.load(law, *phase).ok_or(ReferenceError::Kink { law: law.name() })?;
+        let load = motion.load(law, *phase, contacts);
         total = Load { force: total.force + load.force, torque: total.torque + load.torque };
     }
-    Ok(total)
+    total
 }
 
 /// ½ (0, Ω) ⊗ q.
@@ -132,6 +148,17 @@ fn turning<'a>(q: [Node<'a>; 4], spin: Triple<'a>) -> [Node<'a>; 4] {
     let [w, x, y, z] = q;
     let [a, b, c] = spin.0.map(|x| x.times(0.5));
     [-(a * x + b * y + c * z), a * w + b * z - c * y, b * w + c * x - a * z, c * w + a * y - b * x]
+}
+
+/// One for each law.
+fn phases<'a>(
+    sheet: &'a Sheet,
+    system: &System,
+    scale: &Scale,
+    variables: &mut Variables,
+) -> Vec<Option<Phase<'a>>> {
+    let laws = system.forces.laws().iter();
+    laws.map(|law| phase(sheet, laws::rate(law).scaled(scale.time), variables)).collect()
 }
 
 fn phase<'a>(sheet: &'a Sheet, rate: DoubleDouble, variables: &mut Variables) -> Option<Phase<'a>> {
@@ -168,8 +195,11 @@ impl<'a> Place<'a> {
         let (mut origin, mut velocity) =
             (Triple::constant(sheet, &plain(&system.origin(), [0, 1, 0])), Triple::zero(sheet));
         if !body.pivoted {
-            variables.add(&of(plain(&start.position, [0, 1, 0])), 1.0);
-            variables.add(&of(plain(&start.velocity, [0, 1, -1])), scale.speed);
+            // When a point touches depends on where the body starts, to a rounding.
+            let touches = system.forces.laws().iter().any(|law| matches!(law, Law::Ground(_)));
+            let off = |v: Vector3<f64>| of(v).map(|x| if touches { nudged(x, nudge) } else { x });
+            variables.add(&off(plain(&start.position, [0, 1, 0])), 1.0);
+            variables.add(&off(plain(&start.velocity, [0, 1, -1])), scale.speed);
             (origin, velocity) = (Triple::variable(sheet), Triple::variable(sheet));
         }
         let values = unit_quaternion(&start.orientation);

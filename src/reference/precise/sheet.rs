@@ -51,11 +51,12 @@ impl Sheet {
         node
     }
 
-    /// The tape whose variables have these rates, or that shows these values; what they do not need is left out.
-    pub(super) fn tape(&self, values: &[Node]) -> Tape {
+    /// The tape whose variables have these rates, or that shows these values, and works out what else is watched; what
+    /// they do not need is left out.
+    pub(super) fn tape(&self, values: &[Node], watched: &[Node]) -> Tape {
         let operations = self.operations.borrow().clone();
         let mut needed = vec![false; operations.len()];
-        values.iter().for_each(|value| needed[value.index] = true);
+        values.iter().chain(watched).for_each(|value| needed[value.index] = true);
         for index in (0..operations.len()).rev().filter(|index| needed[*index]).collect::<Vec<_>>() {
             mark(&operations, index, &mut needed);
         }
@@ -84,6 +85,11 @@ fn mark(operations: &[Operation], index: usize, needed: &mut [bool]) {
 }
 
 impl<'a> Node<'a> {
+    /// Its place on the tape.
+    pub(super) fn place(self) -> usize {
+        self.index
+    }
+
     fn value(self) -> Option<DoubleDouble> {
         match self.sheet.operations.borrow()[self.index] {
             Operation::Constant(value) => Some(value),

@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::double_double::DoubleDouble;
 use super::problem::{Problem, SHOWN};
 use super::taylor::{self, Control};
-use crate::model::{Snapshot, System};
+use crate::model::{Quantity, Snapshot, System};
 use crate::reference::sources::Spread;
 use crate::reference::{ReferenceError, run};
 use crate::rotation;
@@ -56,24 +56,37 @@ pub struct Motion {
     pub moments: Vec<Moment>,
     /// Order and number of steps of the run, and of the one that it was compared with.
     pub runs: [(usize, usize); 2],
+    /// Contacts with the ground that were made or lost in the run.
+    pub switches: usize,
+    /// What position [m], velocity [m/s], orientation, Ω [rad/s] and L [kg m²/s] of the scene come to, to a power of two.
+    scales: [f64; 5],
 }
 
 /// The motion of `system` at increasing `times` [s], given up where a run would take more than `most_work`
 /// multiply-adds.
 ///
 /// # Errors
-/// [`ReferenceError::Times`], [`ReferenceError::Kink`], [`ReferenceError::NotFinite`],
-/// [`ReferenceError::NoConvergence`], [`ReferenceError::Interrupted`].
+/// [`ReferenceError::Times`], [`ReferenceError::NotFinite`], [`ReferenceError::NoConvergence`],
+/// [`ReferenceError::Interrupted`].
 pub fn solve(system: &System, times: &[f64], most_work: f64) -> Result<Motion, ReferenceError> {
+    compared(system, times, most_work, &CONTROLS)
+}
+
+fn compared(
+    system: &System,
+    times: &[f64],
+    most_work: f64,
+    controls: &[Control; 2],
+) -> Result<Motion, ReferenceError> {
     let last = run::increasing(times)?;
     let problem = |nudge| Problem::of(system, if last > 0.0 { last } else { 1.0 }, nudge);
-    let (problem, nudged) = (problem(0.0)?, problem(NUDGE)?);
-    let (fine, fine_steps) = taylor::along(&problem, times, &CONTROLS[0], most_work)?;
-    let (coarse, coarse_steps) = taylor::along(&nudged, times, &CONTROLS[1], most_work)?;
+    let (problem, nudged) = (problem(0.0), problem(NUDGE));
+    let fine = taylor::along(&problem, times, &controls[0], most_work)?;
+    let coarse = taylor::along(&nudged, times, &controls[1], most_work)?;
     let mut largest: Spread = [0.0; 6];
     let moments = times
         .iter()
-        .zip(fine.iter().zip(&coarse))
+        .zip(fine.states.iter().zip(&coarse.states))
         .map(|(time, (fine, coarse))| {
             let mut moment = moment_of(&problem, *time, fine);
             let other = moment_of(&nudged, *time, coarse);
@@ -83,8 +96,16 @@ pub fn solve(system: &System, times: &[f64], most_work: f64) -> Result<Motion, R
             moment
         })
         .collect();
-    let runs = [(CONTROLS[0].order, fine_steps), (CONTROLS[1].order, coarse_steps)];
-    Ok(Motion { moments, runs })
+    let runs = [(controls[0].order, fine.steps), (controls[1].order, coarse.steps)];
+    let momentum = problem.scale.momentum * problem.scale.unit([1, 2, -1]);
+    let scales = [
+        system.body.extent(),
+        problem.scale.speed * problem.scale.unit([0, 1, -1]),
+        1.0,
+        if system.body.moments.amax() > 0.0 { momentum / system.body.moments.amax() } else { 0.0 },
+        momentum,
+    ];
+    Ok(Motion { moments, runs, switches: fine.switches, scales })
 }
 
 fn moment_of(problem: &Problem, time: f64, state: &[DoubleDouble]) -> Moment {
@@ -144,19 +165,23 @@ fn apart(system: &System, a: &Moment, b: &Moment) -> Spread {
 }
 
 impl Motion {
-    /// Digits that every quantity has, before its error bound reaches half a unit in the last one; a quantity that is
-    /// nothing but rounding of others has none of its own, and is left out.
+    /// Digits that every quantity has of the largest that it has been, or of what it comes to in such a scene, before its error bound reaches half a unit in the last
+    /// one; a quantity that is nothing but rounding of others has none of its own, and is left out.
     pub fn certain_digits(&self, system: &System) -> usize {
         let size = |v: &[DoubleDouble; 3]| v.iter().map(|x| x.high * x.high).sum::<f64>().sqrt();
+        let extent = system.body.extent();
+        // A body that comes to rest keeps the error, but not the size.
+        let mut sizes = self.scales;
         let ratios = self.moments.iter().flat_map(|moment| {
-            let extent = system.body.extent();
-            [
-                (size(&moment.position).max(extent), moment.error[0]),
-                (size(&moment.velocity).max(extent * size(&moment.angular_velocity)), moment.error[1]),
-                (1.0, moment.error[2]),
-                (size(&moment.angular_velocity), moment.error[3]),
-                (size(&moment.angular_momentum), moment.error[4]),
-            ]
+            let now = [
+                size(&moment.position).max(extent),
+                size(&moment.velocity).max(extent * size(&moment.angular_velocity)),
+                1.0,
+                size(&moment.angular_velocity),
+                size(&moment.angular_momentum),
+            ];
+            sizes = std::array::from_fn(|i| now[i].max(sizes[i]));
+            std::array::from_fn::<(f64, f64), 5, _>(|i| (sizes[i], moment.error[i]))
         });
         let worst =
             ratios.filter(|(size, _)| *size > 0.0).map(|(size, error)| error / size).fold(0.0, f64::max);
@@ -166,6 +191,15 @@ impl Motion {
 }
 
 impl Moment {
+    /// Bound of the error of a quantity.
+    pub fn bound(&self, quantity: Quantity) -> f64 {
+        Quantity::ALL
+            .iter()
+            .zip(self.error)
+            .find(|(q, _)| **q == quantity)
+            .map_or(f64::INFINITY, |(_, bound)| bound)
+    }
+
     /// The same, rounded to f64.
     pub fn snapshot(&self) -> Snapshot {
         let rounded = |v: &[DoubleDouble; 3]| Vector3::new(v[0].to_f64(), v[1].to_f64(), v[2].to_f64());
@@ -178,6 +212,54 @@ impl Moment {
             angular_velocity: rounded(&self.angular_velocity),
             angular_momentum: rounded(&self.angular_momentum),
             stretch: 0.0,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Spin;
+    use crate::model::body::{Body, MassPoint};
+    use crate::model::forces::{Gravity, Ground, Law};
+    use crate::rotation::Rotation;
+
+    /// An uneven body dropped on a ground at this height [m], which it touches again and again or never.
+    fn dropped(height: f64) -> System {
+        let point = |mass, x, y, z| MassPoint { mass, position: Vector3::new(x, y, z) };
+        let points = [
+            point(0.25, 0.125, 0.0, -0.0625),
+            point(0.125, -0.125, 0.0625, -0.0625),
+            point(0.25, 0.0, -0.125, 0.0),
+            point(0.375, -0.03125, 0.03125, 0.125),
+        ];
+        let normal = Vector3::z();
+        let ground =
+            Ground { normal, height, stiffness: 1500.0, damping: 2.0, friction: 0.25, slip_velocity: 0.125 };
+        let gravity = Gravity { acceleration: Vector3::new(0.0, 0.0, -9.75) };
+        let body = Body::from_points(&points, None).expect("a body").0;
+        let laws = vec![Law::Gravity(gravity), Law::Ground(ground)];
+        let (start, spin) = (Vector3::new(0.0, 0.0, 0.75), Spin::Velocity(Vector3::new(1.0, 3.0, -2.0)));
+        System::new(body, laws, start, Rotation::identity(), Vector3::zeros(), spin).expect("a system")
+    }
+
+    #[test]
+    fn other_orders_and_steps_agree_within_both_bounds_across_contacts_too() {
+        let others = [Control { order: 30, tolerance: 1e-32 }, Control { order: 44, tolerance: 1e-33 }];
+        let times: Vec<f64> = (1..=16).map(|j| f64::from(j) / 8.0).collect();
+        for height in [0.0, -1e3] {
+            let system = dropped(height);
+            let usual = solve(&system, &times, AFFORDABLE).expect("a motion");
+            let other = compared(&system, &times, AFFORDABLE, &others).expect("a motion");
+            assert_eq!(usual.switches, other.switches);
+            assert_eq!(usual.switches > 4, height == 0.0, "{}", usual.switches);
+            assert_ne!(usual.runs, other.runs);
+            for (a, b) in usual.moments.iter().zip(&other.moments) {
+                let apart = apart(&system, a, b);
+                for (i, apart) in apart.iter().enumerate() {
+                    assert!(*apart <= a.error[i] + b.error[i], "{height}, {} s, {i}: {apart:e}", a.time);
+                }
+            }
         }
     }
 }

@@ -71,10 +71,10 @@ impl Tape {
     }
 
     /// Room for coefficients up to `order`.
-    pub(super) fn series(&self, order: usize) -> Series<'_> {
+    pub(super) fn series(&self, order: usize) -> Series {
         let length = order + 1;
         let coefficients = vec![Coefficient::default(); self.operations.len() * length];
-        Series { tape: self, length, coefficients }
+        Series { tape: self.clone(), length, coefficients }
     }
 
     /// The values of the tape in a state.
@@ -86,35 +86,46 @@ impl Tape {
 }
 
 /// Taylor coefficients of everything on a tape.
-pub(super) struct Series<'a> {
-    tape: &'a Tape,
+pub(super) struct Series {
+    tape: Tape,
     /// Coefficients of each operation: the order, and one.
     length: usize,
     coefficients: Vec<Coefficient>,
 }
 
-impl Series<'_> {
+impl Series {
     /// Develops the solution that passes through `state`.
     pub(super) fn develop(&mut self, state: &[DoubleDouble]) {
-        let tape = self.tape;
-        for (index, value) in tape.variables.iter().zip(state) {
-            self.set(*index, 0, *value);
+        for (place, value) in state.iter().enumerate().take(self.tape.variables.len()) {
+            self.set(self.tape.variables[place], 0, *value);
         }
         for k in 0..self.length {
-            for index in &tape.steps {
-                if tape.operations[*index] != Operation::Variable {
-                    let value = self.coefficient(*index, &tape.operations[*index], k);
-                    self.set(*index, k, value);
+            for step in 0..self.tape.steps.len() {
+                let index = self.tape.steps[step];
+                let operation = self.tape.operations[index];
+                if operation != Operation::Variable {
+                    let value = self.coefficient(index, &operation, k);
+                    self.set(index, k, value);
                 }
             }
             if k + 1 < self.length {
-                let divisor = DoubleDouble::from((k + 1) as f64);
-                for (index, rate) in tape.variables.iter().zip(&tape.values) {
-                    let value = self.at(*rate, k) / divisor; // (4)
-                    self.set(*index, k + 1, value);
-                }
+                self.raise(k);
             }
         }
+    }
+
+    /// (4)
+    fn raise(&mut self, k: usize) {
+        let divisor = DoubleDouble::from((k + 1) as f64);
+        for variable in 0..self.tape.variables.len().min(self.tape.values.len()) {
+            let value = self.at(self.tape.values[variable], k) / divisor;
+            self.set(self.tape.variables[variable], k + 1, value);
+        }
+    }
+
+    /// All coefficients of a place on the tape.
+    pub(super) fn coefficients(&self, index: usize) -> Vec<DoubleDouble> {
+        (0..self.length).map(|k| self.at(index, k)).collect()
     }
 
     fn set(&mut self, index: usize, k: usize, value: DoubleDouble) {

@@ -13,6 +13,8 @@
 
 use super::double_double::DoubleDouble;
 use super::problem::Problem;
+use super::stretch::{Stretch, Switch};
+use super::tape::Series;
 use crate::interrupt;
 use crate::reference::ReferenceError;
 
@@ -31,56 +33,120 @@ pub(super) struct Control {
     pub tolerance: f64,
 }
 
+/// Part of a step that is no time at all.
+const STANDING: f64 = 1e-24;
+
 /// Steps after which their average tells the cost of the rest.
 const ENOUGH: usize = 16;
 
-/// The variables at increasing `times` [s], and the number of steps; given up where the steps so far tell that a run
-/// would take more than `most_work` multiply-adds.
+/// The variables at the times of a run.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Course {
+    pub states: Vec<Vec<DoubleDouble>>,
+    pub steps: usize,
+    /// Contacts made or lost.
+    pub switches: usize,
+}
+
+/// The variables at increasing `times` [s]; given up where the steps so far tell that a run would take more than
+/// `most_work` multiply-adds.
 pub(super) fn along(
     problem: &Problem,
     times: &[f64],
     control: &Control,
     most_work: f64,
-) -> Result<(Vec<Vec<DoubleDouble>>, usize), ReferenceError> {
-    let order = control.order;
-    let mut series = problem.tape.series(order);
-    let (mut state, mut reached) = (problem.start.clone(), DoubleDouble::ZERO);
-    let (mut states, mut steps) = (Vec::with_capacity(times.len()), 0);
-    let work = (problem.tape.products() * order * order / 2).max(1) as f64;
-    let last = times.last().map_or(0.0, |time| time / problem.scale.time);
-    let mut wanted = times.iter().map(|time| time / problem.scale.time).peekable();
+) -> Result<Course, ReferenceError> {
+    let in_units = |time: &f64| time / problem.scale.time;
+    let mut run = Run {
+        problem,
+        control,
+        last: times.last().map_or(0.0, in_units),
+        stretch: Stretch::new(problem, control.order),
+        state: problem.start.clone(),
+        reached: DoubleDouble::ZERO,
+        work: 0.0,
+        standing: 0,
+        course: Course::default(),
+    };
+    let mut wanted = times.iter().map(in_units).peekable();
     while wanted.peek().is_some() {
         if interrupt::requested() {
             return Err(ReferenceError::Interrupted);
         }
-        series.develop(&state);
-        let norms = [order - 2, order - 1, order].map(|k| (k, series.largest(k, &problem.sizes)));
-        let step = step(&norms, control);
-        let seconds = reached.high * problem.scale.time;
-        if !state.iter().all(|x| x.is_finite()) || step.is_nan() {
-            return Err(ReferenceError::NotFinite { method: NAME, time: seconds });
-        }
-        let end = reached + step.into();
-        let projected = if steps < ENOUGH { 0.0 } else { steps as f64 * work * last / reached.high };
-        if end == reached || projected > most_work {
-            let reason = format!("a step of {:e} s at order {order}", step * problem.scale.time);
-            let (method, time, evaluations) = (NAME, seconds, steps);
-            return Err(ReferenceError::NoConvergence { method, time, evaluations, reason });
-        }
+        let (stride, switch) = run.stride(most_work)?;
+        let end = run.reached + stride;
         while let Some(time) = wanted.next_if(|time| DoubleDouble::from(*time) <= end) {
-            let mut shown = series.state(DoubleDouble::from(time) - reached);
+            let mut shown = run.stretch.series.state(DoubleDouble::from(time) - run.reached);
             problem.normalize(&mut shown);
-            states.push(shown);
+            run.course.states.push(shown);
         }
-        state = series.state(step.into());
-        problem.normalize(&mut state);
-        (reached, steps) = (end, steps + 1);
+        run.state = run.stretch.end(stride, switch);
+        problem.normalize(&mut run.state);
+        run.reached = end;
+        run.course.steps += 1;
     }
-    Ok((states, steps))
+    Ok(run.course)
+}
+
+/// A run on its way; times in units of the tape.
+struct Run<'a> {
+    problem: &'a Problem<'a>,
+    control: &'a Control,
+    last: f64,
+    stretch: Stretch,
+    state: Vec<DoubleDouble>,
+    reached: DoubleDouble,
+    /// Multiply-adds so far.
+    work: f64,
+    /// Steps in a row that took no time.
+    standing: usize,
+    course: Course,
+}
+
+impl Run<'_> {
+    /// The next step, and what makes it end there.
+    fn stride(&mut self, most_work: f64) -> Result<(DoubleDouble, Option<Switch>), ReferenceError> {
+        let Some(switched) = self.stretch.develop(self.problem, &self.state) else {
+            let contacts = self.stretch.contacts();
+            return Err(self.given_up(format!("which of {contacts} points touch cannot be told")));
+        };
+        self.course.switches += switched;
+        let step = step(&self.stretch.series, self.problem, self.control);
+        if !self.state.iter().all(|x| x.is_finite()) || step.is_nan() {
+            return Err(ReferenceError::NotFinite { method: NAME, time: self.seconds() });
+        }
+        let longest = step.min(self.last - self.reached.high);
+        let switch = self.stretch.first_switch(longest);
+        let stride = switch.map_or(step.into(), |switch| switch.after);
+        self.work += self.stretch.work();
+        let rest = if self.course.steps < ENOUGH { 0.0 } else { self.last / self.reached.high };
+        // Contacts that are made or lost at one moment, to a rounding, take no time.
+        self.standing = if stride.high > STANDING * longest { 0 } else { self.standing + 1 };
+        let stands = match switch {
+            Some(_) => self.standing > 2 * self.stretch.contacts(),
+            None => self.reached + stride == self.reached,
+        };
+        if stands || self.work * rest > most_work {
+            let (seconds, order) = (stride.high * self.problem.scale.time, self.control.order);
+            return Err(self.given_up(format!("a step of {seconds:e} s at order {order}")));
+        }
+        Ok((stride, switch))
+    }
+
+    fn seconds(&self) -> f64 {
+        self.reached.high * self.problem.scale.time
+    }
+
+    fn given_up(&self, reason: String) -> ReferenceError {
+        let (time, evaluations) = (self.seconds(), self.course.steps);
+        ReferenceError::NoConvergence { method: NAME, time, evaluations, reason }
+    }
 }
 
 /// (2), rounded to 24 bits so that times add up exactly.
-fn step(norms: &[(usize, f64); 3], control: &Control) -> f64 {
+fn step(series: &Series, problem: &Problem, control: &Control) -> f64 {
+    let order = control.order;
+    let norms = [order - 2, order - 1, order].map(|k| (k, series.largest(k, &problem.sizes)));
     let of = |(k, norm): (usize, f64)| {
         if norm == 0.0 { LONGEST } else { (control.tolerance / norm).powf(1.0 / k as f64) }
     };
