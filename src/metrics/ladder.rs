@@ -1,7 +1,7 @@
 //! A scheme's ladder of steps on a scene: the same run at halved steps, until the orders are settled.
 
-use super::rounding::{floors, of_giant_steps, rounding_growth, roundings};
-use super::{ALL, Reading, Sight, errors, tolerance};
+use super::rounding::{Adding, Rounding, floors, of_giant_steps, rounding_growth, roundings};
+use super::{ALL, FOLLOWS, Reading, Sight, errors, tolerance};
 use crate::model::{Quantity, Snapshot, System, difference};
 use crate::reference::Reference;
 use crate::regression::{self, Fit, Ladder};
@@ -25,7 +25,7 @@ const FEWEST_SAMPLES: usize = 8;
 /// A solver that chooses its own steps is compared at this many.
 const SAMPLES_OF_OWN_STEPS: usize = 4;
 /// Change of a slope by one more rung from which on the ladder may still become something else.
-pub const STANDS: f64 = 0.02;
+const STANDS: f64 = 0.02;
 /// Numbers of steps, odd ones, that a whole run in steady spin is made in besides its ladder.
 const GIANT_STEPS: [u64; 4] = [1, 3, 5, 7];
 /// Misfit without a term over that with it, from which on the term is seen.
@@ -34,8 +34,14 @@ const FAR_BETTER: f64 = 5.0;
 const ROUNDING_EXPLAINS: f64 = 0.5;
 /// Slope below which errors hardly fall.
 const FLAT: f64 = 0.5;
-/// Angle left open by roundings [rad] from which on nothing is exact.
+/// Angle left open by roundings [rad], or part of the spin, from which on nothing is exact.
 const OPEN_ANGLE: f64 = 1e-3;
+/// Steps of the run that rounding is measured in, over those of the coarsest rung, …
+const MEASURED_AT: u64 = 4;
+/// … and at most, where that run does not follow the truth and a finer one does.
+const MOST_STEPS_OF_MEASUREMENT: u64 = 1 << 16;
+/// Error over its floor from which on it stands clear.
+const CLEAR: f64 = 10.0;
 /// Half-width of the band about the claimed order.
 pub const BAND: f64 = 0.15;
 
@@ -86,6 +92,34 @@ pub struct Rung {
     pub readings: Vec<Option<Reading>>,
     /// Cost and end.
     pub outcome: Outcome,
+}
+
+impl Rung {
+    /// Whether rounding and the reference leave so much open of the rotation that nothing can be called exact.
+    pub fn is_open(&self, system: &System) -> bool {
+        let momentum = system.start.orientation.inverse_transform_vector(&system.start.angular_momentum);
+        let spin = rotation::length(&(system.body.inverse_inertia() * momentum));
+        Quantity::ALL.iter().zip(&self.floors).any(|(quantity, floor)| match quantity {
+            Quantity::Orientation => floor.max > OPEN_ANGLE,
+            Quantity::AngularVelocity => spin > 0.0 && floor.max > OPEN_ANGLE * spin,
+            _ => false,
+        })
+    }
+
+    /// Whether the run follows the truth, to a tenth of the body's size.
+    pub(super) fn follows(&self, system: &System) -> bool {
+        let place = Quantity::ALL.iter().position(|quantity| *quantity == Quantity::BodyPoint);
+        place.is_some_and(|index| self.errors[index].max <= FOLLOWS * system.body.extent())
+    }
+
+    /// Whether an error stands clear of the floor that `unlike` roundings make and not of its own.
+    fn is_clear_by_one_law(&self, unlike: &[Reading; 6]) -> bool {
+        let between = |error: f64, low: f64, high: f64| error > CLEAR * low && error <= CLEAR * high;
+        self.outcome.broken.is_none()
+            && self.errors.iter().zip(unlike).zip(&self.floors).any(|((error, low), high)| {
+                between(error.end, low.end, high.end) || between(error.max, low.max, high.max)
+            })
+    }
 }
 
 /// A quantity's ladder, judged by nothing but its numbers.
@@ -204,7 +238,9 @@ pub fn climb(
     while turned / first as f64 > coarsest && first << FEWEST_RUNGS <= contestant.most_steps() {
         first *= 2;
     }
-    let growth = rounding_growth(contestant, system, &reference.states, &plan(reference, first * 4));
+    let motion = &reference.states;
+    let mut rounding = Rounding::measure(contestant, system, motion, &plan(reference, MEASURED_AT * first));
+    let mut followed = false;
     let mut evidence = Evidence {
         model: contestant.model(system),
         rungs: Vec::new(),
@@ -222,13 +258,24 @@ pub fn climb(
         if dear && index >= FEWEST_RUNGS {
             break;
         }
+        let plan = plan(reference, steps);
         // A steady spin is exact at every step but for roundings, and those a large step may amplify by itself.
-        let own = system
-            .steady_spin()
-            .then(|| rounding_growth(contestant, system, &reference.states, &plan(reference, steps)));
-        let growth = own.as_ref().unwrap_or(&growth);
-        let floors = floors(system, reference, growth, roundings(system, steps, turned));
-        let (rung, states) = run_rung(contestant, system, reference, steps, floors, &before);
+        let own = system.steady_spin().then(|| Rounding::measure(contestant, system, motion, &plan));
+        let of_law = |rounding: &Rounding, law| rounding.floors(system, reference, steps, turned, law);
+        let floors = of_law(own.as_ref().unwrap_or(&rounding), Adding::Alike);
+        let (mut rung, states) = run_rung(contestant, system, reference, steps, floors, &before);
+        if !followed && rung.follows(system) {
+            followed = true;
+            // Coarser runs went another way, past another instability.
+            if own.is_none() && steps > MEASURED_AT * first && steps <= MOST_STEPS_OF_MEASUREMENT {
+                rounding = Rounding::measure(contestant, system, motion, &plan);
+                rung.floors = of_law(&rounding, Adding::Alike);
+            }
+        }
+        if own.is_none() && rung.is_clear_by_one_law(&of_law(&rounding, Adding::Unlike)) {
+            rounding.draw_again(contestant, system, &plan, &states);
+            rung.floors = of_law(&rounding, Adding::Alike);
+        }
         let refused = rung.outcome.refusal().is_some();
         evidence.rungs.push(rung);
         if refused {
@@ -258,7 +305,7 @@ pub fn climb(
         evidence.ladders.iter_mut().for_each(|ladder| ladder.doubt_where_it_ended_early(order, &sizes));
     }
     if system.steady_spin() && evidence.refusal().is_none() {
-        evidence.giant_steps = giant_steps(contestant, system, reference, &growth, turned);
+        evidence.giant_steps = giant_steps(contestant, system, reference, turned);
     }
     evidence
 }
@@ -290,8 +337,9 @@ fn settled(ladder: &QuantityLadder, last: Option<&QuantityLadder>, order: u32) -
     let at_floor = ladder.rungs.last().is_some_and(|(_, e, floor)| *e <= 10.0 * floor);
     let before = last.and_then(QuantityLadder::fit);
     let stands = ladder.fit().zip(before).is_some_and(|(now, before)| {
-        let below = now.slope < f64::from(order) - BAND;
+        // What a slope still has to go is about what the last halving changed: it must not be enough to come into the band.
         let change = (now.slope - before.slope).abs();
+        let below = now.slope + change < f64::from(order) - BAND;
         // A slope that has come to rest at another whole order will not leave it for the claimed one.
         let at_rest = (now.slope - now.slope.round()).abs() < STANDS && change < 0.25 * STANDS;
         (below && change < STANDS || at_rest) && !ladder.is_on_its_way(order)
@@ -300,22 +348,11 @@ fn settled(ladder: &QuantityLadder, last: Option<&QuantityLadder>, order: u32) -
 }
 
 /// The whole run in a few steps, compared at its end. Steps that amplify a rounding to an angle that can be seen say nothing.
-fn giant_steps(
-    contestant: &Contestant,
-    system: &System,
-    reference: &Reference,
-    growth: &[Reading; 6],
-    turned: f64,
-) -> Vec<Rung> {
+fn giant_steps(contestant: &Contestant, system: &System, reference: &Reference, turned: f64) -> Vec<Rung> {
     let last = reference.times.len() - 1;
-    let angle = Quantity::ALL.iter().position(|quantity| *quantity == Quantity::Orientation);
     let run = |steps: u64| {
         let plan = Plan { step: reference.times[last] / steps as f64, steps, every: steps };
         let own = rounding_growth(contestant, system, &reference.states, &plan);
-        let open = angle.map_or(0.0, |index| own[index].end * f64::EPSILON * (1.0 + turned));
-        if open > OPEN_ANGLE {
-            return None;
-        }
         let Trajectory { states, outcome } = contestant.run(system, Form::Least, &plan);
         let mut errors = [Reading { end: f64::NAN, max: f64::NAN }; 6];
         if let (None, Some(end)) = (&outcome.broken, states.last()) {
@@ -323,11 +360,13 @@ fn giant_steps(
             errors = apart.map(|value| Reading { end: value, max: value });
         }
         let measured = of_giant_steps(contestant, system, &plan, states.last());
-        let mut floors = floors(system, reference, growth, roundings(system, steps, turned));
+        let mut floors = floors(system, reference, &own, roundings(system, steps, turned));
         for (floor, measured) in floors.iter_mut().zip(measured) {
             *floor = Reading { end: floor.end.max(measured), max: floor.max.max(measured) };
         }
-        Some(Rung { step: plan.step, steps, errors, floors, moved: errors, readings: Vec::new(), outcome })
+        let rung =
+            Rung { step: plan.step, steps, errors, floors, moved: errors, readings: Vec::new(), outcome };
+        (!rung.is_open(system)).then_some(rung)
     };
     GIANT_STEPS.into_iter().filter_map(run).collect()
 }

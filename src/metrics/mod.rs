@@ -21,9 +21,9 @@ use crate::model::{Quantity, Snapshot, System, difference};
 use crate::reference::Reference;
 
 pub use drift::{Class, EnergyDrift, EnergyRung, energy_drift};
-pub use flips::{FlipFinder, FlipRung, Flips, flips, tumbling_axis};
+pub use flips::{FlipFinder, FlipRung, Flips, TrueFlips, flips, true_flips, tumbling_axis};
 pub use invariance::{OtherWorld, other_worlds};
-pub use ladder::{APART, BAND, Evidence, Place, QuantityLadder, Rung, STANDS, climb};
+pub use ladder::{APART, BAND, Evidence, Place, QuantityLadder, Rung, climb};
 pub use points::{PointRun, point_run};
 pub use reversal::{Reversal, reversal};
 pub use symplecticity::{Symplecticity, symplecticity};
@@ -108,9 +108,7 @@ pub fn describe(quantity: Quantity) -> &'static str {
 /// The coarsest run of a ladder that follows the truth, to a tenth of the body's size: coarser ones may be unstable and
 /// amplify every rounding.
 fn steady_rung<'a>(system: &System, rungs: &'a [Rung]) -> Option<&'a Rung> {
-    let extent = system.body.extent();
-    let point = Quantity::ALL.iter().position(|q| *q == Quantity::BodyPoint)?;
-    rungs.iter().find(|rung| rung.errors[point].max <= FOLLOWS * extent)
+    rungs.iter().find(|rung| rung.follows(system))
 }
 
 /// The larger of two numbers; NaN if either is, where `f64::max` would hide it.

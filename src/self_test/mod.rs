@@ -9,6 +9,7 @@ pub mod ladders;
 mod measured;
 pub mod noise;
 mod planted;
+pub mod power;
 pub mod random;
 
 use std::collections::BTreeSet;
