@@ -29,10 +29,17 @@ fn ladder(scene: &Scene, contestant: &Contestant) -> (Reference, Evidence) {
     (reference, evidence)
 }
 
-/// Largest difference of the finest run from itself in two turned worlds, over its floor; by quantity.
+/// A run that is farther from the truth than this part of the body's size has gone another way, and so does what roundings become.
+const FOLLOWS: f64 = 0.1;
+
+/// Largest difference of the finest run from itself in two turned worlds, over its floor; by quantity. `None` where it does not follow
+/// the truth.
 fn of_floor(scene: &Scene, contestant: &Contestant) -> Option<[f64; 6]> {
     let (_, evidence) = ladder(scene, contestant);
     let rung = evidence.rungs.iter().rev().find(|rung| rung.outcome.broken.is_none())?;
+    if rung.errors[5].max > FOLLOWS * scene.system.body.extent() {
+        return None;
+    }
     let plan = Plan { step: rung.step, steps: rung.steps, every: rung.steps };
     let own = *contestant.run(&scene.system, Form::Least, &plan).states.last()?;
     let mut largest = [0.0; 6];
@@ -52,7 +59,7 @@ fn of_floor(scene: &Scene, contestant: &Contestant) -> Option<[f64; 6]> {
 
 #[test]
 fn the_floor_of_rounding_covers_what_rounding_does_in_every_scene() {
-    let (mut all, mut above) = (Vec::new(), Vec::new());
+    let (mut all, mut above, mut astray) = (Vec::new(), Vec::new(), 0);
     for scheme in ["peskin-rk2", "rk4-quaternion", "implicit-midpoint"] {
         let contestant = contestant(scheme);
         for scene in scenes::built_in() {
@@ -62,7 +69,11 @@ fn the_floor_of_rounding_covers_what_rounding_does_in_every_scene() {
             {
                 continue;
             }
-            let Some(ratios) = of_floor(&scene, &contestant) else { continue };
+            let Some(ratios) = of_floor(&scene, &contestant) else {
+                println!("{scheme} does not follow the truth in {}", scene.name);
+                astray += 1;
+                continue;
+            };
             for (ratio, quantity) in ratios.into_iter().zip(Quantity::ALL) {
                 if ratio > CLEAR {
                     above.push(format!(
@@ -83,5 +94,6 @@ fn the_floor_of_rounding_covers_what_rounding_does_in_every_scene() {
     let median = all[all.len() / 2].0;
     println!("{} differences, median {median:.3} of the floor", all.len());
     // It is no floor of another order of magnitude either.
+    assert!(astray <= 9, "{astray} runs of three schemes");
     assert!(all.len() > 200 && median > 0.01, "{} {median}", all.len());
 }

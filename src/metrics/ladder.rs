@@ -42,6 +42,8 @@ const MEASURED_AT: u64 = 4;
 const MOST_STEPS_OF_MEASUREMENT: u64 = 1 << 16;
 /// Error over its floor from which on it stands clear.
 const CLEAR: f64 = 10.0;
+/// The same, of the rung that a window must reach and that a constant is taken from.
+const SURE: f64 = 100.0;
 /// Half-width of the band about the claimed order.
 pub const BAND: f64 = 0.15;
 
@@ -112,9 +114,11 @@ impl Rung {
         place.is_some_and(|index| self.errors[index].max <= FOLLOWS * system.body.extent())
     }
 
-    /// Whether an error stands clear of the floor that `unlike` roundings make and not of its own.
+    /// Whether an error stands clear of the floor that `unlike` roundings make and not of its own, or a hundred times clear.
     fn is_clear_by_one_law(&self, unlike: &[Reading; 6]) -> bool {
-        let between = |error: f64, low: f64, high: f64| error > CLEAR * low && error <= CLEAR * high;
+        let between = |error: f64, low: f64, high: f64| {
+            [CLEAR, SURE].iter().any(|clear| error > clear * low && error <= clear * high)
+        };
         self.outcome.broken.is_none()
             && self.errors.iter().zip(unlike).zip(&self.floors).any(|((error, low), high)| {
                 between(error.end, low.end, high.end) || between(error.max, low.max, high.max)

@@ -20,11 +20,4 @@ pub(super) const KNOWN: &[Deviation] = &[
         quantities: &[],
         places: &[("nasa-check-case-2", &["rk2-linear"])],
     },
-    Deviation {
-        reason: "for most of its time the body spins almost steadily about its middle axis, where every step rounds alike: the \
-                 roundings add up faster than as the root of n, which is what the floor counts, to 14 times that at most",
-        claim: "equivariant",
-        quantities: &[],
-        places: &[("dzhanibekov", &["exact-rotor", "yoshida-4", "kahan-li-6", "kahan-li-8"])],
-    },
 ];
