@@ -3,7 +3,8 @@
 
 use polhode::record::Ruling;
 use polhode::regression::{self, Ladder};
-use polhode::self_test::ladders::{TABLE, WRONG_JUDGES, judge};
+use polhode::self_test::judges::WRONG_JUDGES;
+use polhode::self_test::ladders::{TABLE, judge};
 use polhode::self_test::noise::Noise;
 
 #[test]

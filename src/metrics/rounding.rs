@@ -15,7 +15,7 @@
 use nalgebra::Vector3;
 
 use super::Reading;
-use super::ladder::apart;
+use super::climb::apart;
 use crate::model::body::Shape;
 use crate::model::{Change, Snapshot, Start, System, difference};
 use crate::reference::Reference;
