@@ -93,10 +93,7 @@ fn does_not_turn(case: &Case, quantity: Quantity) -> bool {
 
 fn judge_slope(case: &Case, order: u32, ladder: &QuantityLadder, name: &str) -> Verdict {
     let (verdict, detail) = match &ladder.ladder {
-        Ladder::Broken => {
-            let why = case.evidence.rungs.last().and_then(|rung| rung.outcome.broken.as_ref());
-            (Ruling::Broken, why.map_or("no finite error".to_owned(), ToString::to_string))
-        }
+        Ladder::Broken => judge_broken(case, ladder),
         _ => rule(ladder, order),
     };
     let fit = ladder.fit();
@@ -106,6 +103,23 @@ fn judge_slope(case: &Case, order: u32, ladder: &QuantityLadder, name: &str) -> 
         high: fit.map(|fit| fit.high),
         ..ruled(case, "order", name, verdict, detail)
     }
+}
+
+/// No finite error: the run broke, or shows what is no number; or the run is whole, one step differs from the next by a number, and it
+/// is the reference that has none.
+fn judge_broken(case: &Case, ladder: &QuantityLadder) -> (Ruling, String) {
+    let Some(last) = case.evidence.rungs.last() else {
+        return (Ruling::Broken, "no run".to_owned());
+    };
+    if let Some(why) = &last.outcome.broken {
+        return (Ruling::Broken, why.to_string());
+    }
+    let index = Quantity::ALL.iter().position(|quantity| *quantity == ladder.quantity);
+    if index.is_some_and(|index| ladder.place.of(&last.moved[index]).is_finite()) {
+        let detail = "the reference is not finite: there is nothing to compare with".to_owned();
+        return (Ruling::Inconclusive, detail);
+    }
+    (Ruling::Broken, "no finite error".to_owned())
 }
 
 /// What a ladder says of a claimed order, and why, by nothing but its numbers.
