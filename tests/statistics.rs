@@ -132,3 +132,31 @@ fn two_terms_explain_a_ladder_of_their_orders_and_no_other() {
     assert!((ratio / (left / (left + 0.1)) - 1.0).abs() < 1e-9, "{ratio}");
     assert_eq!(regression::misfit(&[], 2), None);
 }
+
+/// Ladders of order q with a next term of any direction, a tenth of the leading one at the finest step at most: there the slope is
+/// within 0.1 of q. Whatever excuses the judge knows, a claim of another order never passes, and seldom goes undecided.
+#[test]
+fn a_wrong_order_with_a_next_term_never_passes_and_is_seldom_excused() {
+    for (ratio, rungs) in [(2.0, 10), (2f64.sqrt(), 14)] {
+        for (order, claimed) in [(1, 2), (2, 1), (2, 3), (3, 2), (4, 3), (4, 5)] {
+            let mut noise = Noise::of(11);
+            let finest = f64::powi(ratio, 1 - rungs);
+            let mut said = std::collections::BTreeMap::new();
+            for _ in 0..LADDERS {
+                // Evenly in the logarithm from 1e-2 to 0.1 over the finest step.
+                let next = 1e-2 * (10.0 / finest).powf(noise.unit());
+                let along = 2.0 * noise.unit() - 1.0;
+                let error = |h: f64| {
+                    let relative = next * h;
+                    h.powi(order) * (1.0 + 2.0 * along * relative + relative * relative).sqrt()
+                };
+                let ladder: Vec<_> =
+                    (0..rungs).map(|k| f64::powi(ratio, -k)).map(|h| (h, error(h), 0.0)).collect();
+                *said.entry(format!("{:?}", judge(&ladder, claimed))).or_insert(0usize) += 1;
+            }
+            println!("steps by {ratio:.2}, order {order} claimed {claimed}: {said:?}");
+            assert_eq!(said.get("Pass"), None, "order {order} claimed {claimed}");
+            assert!(said["Fail"] >= LADDERS * 8 / 10, "order {order} claimed {claimed}: {said:?}");
+        }
+    }
+}

@@ -144,15 +144,18 @@ impl QuantityLadder {
         if let Ladder::Window { fit, .. } = &self.ladder { Some(*fit) } else { None }
     }
 
-    /// Whether the window shows a term of `order` that the next one still hides: with it two terms explain the window, and far
-    /// better than two terms without it. Slopes outside the band then say nothing against that order.
+    /// Whether the window shows a term of `order` that the next one still hides: with it two terms explain the window, far
+    /// better than two terms without it, and better than any single power. Slopes outside the band then say nothing against that
+    /// order.
     pub fn is_on_its_way(&self, order: u32) -> bool {
         let Ladder::Window { rungs, .. } = &self.ladder else { return false };
         let window: Vec<_> =
             self.rungs[rungs.clone()].iter().map(|(h, e, floor)| (*h, *e, floor / e)).collect();
         let without = regression::misfit(&window, order + 1).unwrap_or(f64::INFINITY);
-        regression::misfit(&window, order)
-            .is_some_and(|with| with <= 1.0 && without > ROUNDING_EXPLAINS && FAR_BETTER * with < without)
+        let power = regression::misfit_of_a_power(&window).unwrap_or(0.0);
+        regression::misfit(&window, order).is_some_and(|with| {
+            with <= 1.0 && without > ROUNDING_EXPLAINS && FAR_BETTER * with < without && with < power
+        })
     }
 
     /// Whether the interval lies inside the band about `order`.
