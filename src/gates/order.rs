@@ -2,7 +2,7 @@
 //! one on record.
 
 use super::{Case, promised_exact, ruled};
-use crate::metrics::{APART, BAND, QuantityLadder, STANDS};
+use crate::metrics::{APART, BAND, QuantityLadder};
 use crate::model::Quantity;
 use crate::model::body::Shape;
 use crate::record::{Ruling, Verdict};
@@ -27,24 +27,30 @@ pub(super) fn judge(case: &Case, order: u32) -> Vec<Verdict> {
         verdicts.push(judge_slope(case, order, ladder, &name));
         verdicts.extend(judge_constant(case, ladder, &name));
     }
-    excuse_easy_quantities(order, &mut verdicts);
+    excuse_easy_quantities(case, order, &mut verdicts);
     verdicts
 }
 
 /// A slope above the band says that the claimed order is too low, or that its term is too small to be seen in one quantity of one
-/// scene. Where another quantity of the same runs shows that order, its interval reaching into the band, it is not too low:
-/// undecided.
-fn excuse_easy_quantities(order: u32, verdicts: &mut [Verdict]) {
-    let is_order = |v: &Verdict| v.claim == "order";
-    let shows =
-        |v: &Verdict| matches!(v.verdict, Ruling::Pass | Ruling::Inconclusive) && v.measured.is_some();
-    if !verdicts.iter().any(|v| is_order(v) && shows(v)) {
+/// scene. Where another quantity of the same runs shows that order, its interval reaching into the band or its term under the next, it
+/// is not too low; and where another has not settled, the runs as a whole have not come to their asymptotic range: undecided.
+fn excuse_easy_quantities(case: &Case, order: u32, verdicts: &mut [Verdict]) {
+    let (bottom, top) = (f64::from(order) - BAND, f64::from(order) + BAND);
+    let shows = |ladder: &QuantityLadder| {
+        ladder.fit().is_some_and(|fit| fit.low <= top && fit.high >= bottom) || ladder.is_on_its_way(order)
+    };
+    let ladders = &case.evidence.ladders;
+    let excuse = if ladders.iter().any(shows) {
+        "; other quantities of the same runs show the claimed order"
+    } else if ladders.iter().any(|ladder| ladder.ladder == Ladder::Unsettled) {
+        "; other quantities of the same runs have not settled"
+    } else {
         return;
-    }
-    let above = |v: &Verdict| v.low.is_some_and(|low| low > f64::from(order) + BAND);
-    for verdict in verdicts.iter_mut().filter(|v| is_order(v) && v.verdict == Ruling::Fail && above(v)) {
+    };
+    let above = |v: &Verdict| v.claim == "order" && v.low.is_some_and(|low| low > top);
+    for verdict in verdicts.iter_mut().filter(|v| v.verdict == Ruling::Fail && above(v)) {
         verdict.verdict = Ruling::Inconclusive;
-        verdict.detail += "; other quantities of the same runs show the claimed order";
+        verdict.detail += excuse;
     }
 }
 
@@ -158,8 +164,6 @@ fn rule_on_fit(ladder: &QuantityLadder, order: u32, fit: &Fit, rungs: usize) -> 
         (Ruling::Pass, "inside")
     } else if outside && ladder.is_on_its_way(order) {
         (Ruling::Inconclusive, "a term of the claimed order is there, still under the next one:")
-    } else if fit.low > top && between_orders(fit) {
-        (Ruling::Inconclusive, "above the band, at no whole order and not at rest:")
     } else if fit.low > top {
         (Ruling::Fail, "above the band (too easy a scene, or mis-declared):")
     } else if fit.high < bottom {
@@ -172,14 +176,6 @@ fn rule_on_fit(ladder: &QuantityLadder, order: u32, fit: &Fit, rungs: usize) -> 
         fit.slope, fit.low, fit.high
     );
     (verdict, detail)
-}
-
-/// Whether the whole interval lies between the bands of two whole orders and is not at rest there: smooth motions converge at whole
-/// orders, and a slope between two that still moves is on its way to one.
-fn between_orders(fit: &Fit) -> bool {
-    let below = fit.low.floor();
-    let between = fit.low > below + BAND && fit.high < below + 1.0 - BAND;
-    between && fit.high - fit.low > 2.0 * STANDS
 }
 
 /// A constant on record and none measured: undecided, but where an error is below its floor that the record makes a thousand times
