@@ -2,7 +2,7 @@
 //! one on record.
 
 use super::{Case, promised_exact, ruled};
-use crate::metrics::{APART, BAND, QuantityLadder};
+use crate::metrics::{APART, BAND, QuantityLadder, STANDS};
 use crate::model::Quantity;
 use crate::model::body::Shape;
 use crate::record::{Ruling, Verdict};
@@ -164,6 +164,8 @@ fn rule_on_fit(ladder: &QuantityLadder, order: u32, fit: &Fit, rungs: usize) -> 
         (Ruling::Pass, "inside")
     } else if outside && ladder.is_on_its_way(order) {
         (Ruling::Inconclusive, "a term of the claimed order is there, still under the next one:")
+    } else if fit.low > top && between_orders(fit) {
+        (Ruling::Inconclusive, "above the band, at no whole order and not at rest:")
     } else if fit.low > top {
         (Ruling::Fail, "above the band (too easy a scene, or mis-declared):")
     } else if fit.high < bottom {
@@ -176,6 +178,14 @@ fn rule_on_fit(ladder: &QuantityLadder, order: u32, fit: &Fit, rungs: usize) -> 
         fit.slope, fit.low, fit.high
     );
     (verdict, detail)
+}
+
+/// Whether the whole interval lies between the bands of two whole orders and is not at rest there: smooth motions converge at whole
+/// orders, and a slope between two that still moves is on its way to one.
+fn between_orders(fit: &Fit) -> bool {
+    let below = fit.low.floor();
+    let between = fit.low > below + BAND && fit.high < below + 1.0 - BAND;
+    between && fit.high - fit.low > 2.0 * STANDS
 }
 
 /// A constant on record and none measured: undecided, but where an error is below its floor that the record makes a thousand times
