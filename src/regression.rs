@@ -3,7 +3,9 @@
 //! A convergence ladder is a list of (step h, error e) with h falling. Fits use log h itself, so any ratio of
 //! steps will do.
 
-use nalgebra::{Matrix3, Vector3};
+mod two_terms;
+
+pub use two_terms::{misfit, misfit_of_a_power};
 
 /// Student's t, 97.5 % quantile, for 1 … 10 degrees of freedom.
 const STUDENT: [f64; 10] = [12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228];
@@ -35,9 +37,6 @@ pub const MOST_RUNGS: usize = 6;
 
 /// Standard deviation of a normal distribution over the lower quartile of its sizes.
 const QUARTILE_TO_DEVIATION: f64 = 3.139;
-
-/// Relative difference from two terms, as a root mean square, that still counts as explained by them.
-const EXPLAINED: f64 = 0.02;
 
 /// A straight line through log e against log h.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -164,34 +163,6 @@ fn scatter(points: &[(f64, f64)]) -> f64 {
     let place = 0.25 * last as f64;
     let (below, above) = (changes[place.floor() as usize], changes[place.ceil() as usize]);
     QUARTILE_TO_DEVIATION * (below + (above - below) * place.fract())
-}
-
-/// How far a ladder is from a leading term of order p and the next one, as a root mean square over 2 % of an error and what else
-/// it may be off by; below one they explain it. e = |a hᵖ + b hᵖ⁺¹| with vectors a and b, so that
-///
-/// ```text
-/// (e/hᵖ)² = |a|² + 2 a·b h + |b|² h²
-/// ```
-///
-/// Pairwise slopes of such a ladder come to p from above where b leads, and from anywhere where the two nearly cancel.
-///
-/// `ladder` holds (step, error, relative error of that error). `None` where the term of order p would be none: |a|² ≤ 0.
-pub fn misfit(ladder: &[(f64, f64, f64)], order: u32) -> Option<f64> {
-    let (coarsest, ..) = ladder.first()?;
-    // Least squares of the residual, relative, over what each rung may be off by: the square of an error by twice as much.
-    let rows: Vec<(Vector3<f64>, f64)> = ladder
-        .iter()
-        .map(|(h, e, off)| {
-            let (x, weight) = (h / coarsest, 0.5 / (EXPLAINED + off));
-            (Vector3::new(1.0, x, x * x) * (weight / (e / x.powi(order as i32)).powi(2)), weight)
-        })
-        .collect();
-    let normal: Matrix3<f64> = rows.iter().map(|(row, _)| row * row.transpose()).sum();
-    let scale = Matrix3::from_diagonal(&normal.diagonal().map(|x| 1.0 / x.sqrt()));
-    let sum: Vector3<f64> = rows.iter().map(|(row, weight)| row * *weight).sum();
-    let terms = scale * (scale * normal * scale).lu().solve(&(scale * sum))?;
-    let residual = rows.iter().map(|(row, weight)| (row.dot(&terms) - weight).powi(2)).sum::<f64>();
-    (terms.x > 0.0).then(|| (residual / rows.len() as f64).sqrt())
 }
 
 /// Start and length of the longest run of rungs that stand clear; the finer one of two that are equally long.

@@ -9,29 +9,15 @@ use polhode::rotation;
 use polhode::scenes::{self, Scene};
 use polhode::simulate::{Contestant, Form, Plan};
 
-/// Errors below this many floors are taken for rounding.
+/// Errors below this many floors are taken for rounding. Measured: 2.6 at most.
 const CLEAR: f64 = 10.0;
 
 fn contestant(name: &str) -> Contestant {
     Contestant::all().into_iter().find(|c| c.card.name == name).expect("a scheme of the list")
 }
 
-/// Scenes whose spin hardly changes for most of the run, beside an unstable axis: n steps round alike there, and the floor counts
-/// √n. Measured: 138 floors.
-const NEARLY_STEADY: [&str; 2] = ["dzhanibekov", "mujoco-middle-axis"];
-const MOST_NEARLY_STEADY: f64 = 200.0;
-
-/// An iteration that ends where it no longer improves leaves more than a rounding of each step. Measured: 56 floors.
-const MOST_ITERATED: f64 = 100.0;
-
 /// Where a force has a kink a rounding may decide on which side a step ends.
 const KINK: &str = "bouncing-body";
-
-/// Floors that rounding may move a run by.
-fn bound(scheme: &str, scene: &str) -> f64 {
-    let of_scene = if NEARLY_STEADY.contains(&scene) { MOST_NEARLY_STEADY } else { CLEAR };
-    if scheme == "implicit-midpoint" { of_scene.max(MOST_ITERATED) } else { of_scene }
-}
 
 /// A ladder whose floors are those of rounding alone: against a reference that claims to know everything.
 fn ladder(scene: &Scene, contestant: &Contestant) -> (Reference, Evidence) {
@@ -43,14 +29,21 @@ fn ladder(scene: &Scene, contestant: &Contestant) -> (Reference, Evidence) {
     (reference, evidence)
 }
 
-/// Largest difference of the finest run from itself in two turned worlds, over its floor; by quantity.
+/// A run that is farther from the truth than this part of the body's size has gone another way, and so does what roundings become.
+const FOLLOWS: f64 = 0.1;
+
+/// Largest difference of the finest run from itself in two turned worlds, over its floor; by quantity. `None` where it does not follow
+/// the truth.
 fn of_floor(scene: &Scene, contestant: &Contestant) -> Option<[f64; 6]> {
     let (_, evidence) = ladder(scene, contestant);
     let rung = evidence.rungs.iter().rev().find(|rung| rung.outcome.broken.is_none())?;
+    if rung.errors[5].max > FOLLOWS * scene.system.body.extent() {
+        return None;
+    }
     let plan = Plan { step: rung.step, steps: rung.steps, every: rung.steps };
     let own = *contestant.run(&scene.system, Form::Least, &plan).states.last()?;
     let mut largest = [0.0; 6];
-    for turn in [Vector3::new(0.9, -1.3, 0.4), Vector3::new(-0.2, 0.7, 1.9)] {
+    for turn in [Vector3::new(0.9, -1.3, 0.4), Vector3::new(-0.3, 1.1, 1.7)] {
         let change = Change { turn: rotation::turn(&turn), ..Change::none() };
         let other = contestant.run(&change.apply(&scene.system), Form::Least, &plan);
         let apart = difference(&scene.system.body, &change.undo(other.states.last()?), &own);
@@ -66,7 +59,7 @@ fn of_floor(scene: &Scene, contestant: &Contestant) -> Option<[f64; 6]> {
 
 #[test]
 fn the_floor_of_rounding_covers_what_rounding_does_in_every_scene() {
-    let (mut all, mut above) = (Vec::new(), Vec::new());
+    let (mut all, mut above, mut astray) = (Vec::new(), Vec::new(), 0);
     for scheme in ["peskin-rk2", "rk4-quaternion", "implicit-midpoint"] {
         let contestant = contestant(scheme);
         for scene in scenes::built_in() {
@@ -76,9 +69,13 @@ fn the_floor_of_rounding_covers_what_rounding_does_in_every_scene() {
             {
                 continue;
             }
-            let Some(ratios) = of_floor(&scene, &contestant) else { continue };
+            let Some(ratios) = of_floor(&scene, &contestant) else {
+                println!("{scheme} does not follow the truth in {}", scene.name);
+                astray += 1;
+                continue;
+            };
             for (ratio, quantity) in ratios.into_iter().zip(Quantity::ALL) {
-                if ratio > bound(scheme, &scene.name) {
+                if ratio > CLEAR {
                     above.push(format!(
                         "{scheme} in {}: {} by {ratio:.1} floors",
                         scene.name,
@@ -97,5 +94,6 @@ fn the_floor_of_rounding_covers_what_rounding_does_in_every_scene() {
     let median = all[all.len() / 2].0;
     println!("{} differences, median {median:.3} of the floor", all.len());
     // It is no floor of another order of magnitude either.
+    assert!(astray <= 9, "{astray} runs of three schemes");
     assert!(all.len() > 200 && median > 0.01, "{} {median}", all.len());
 }

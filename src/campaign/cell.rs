@@ -3,18 +3,16 @@
 use super::rows;
 use crate::claim::Claim;
 use crate::gates::{self, Baseline, Case};
-use crate::metrics::{self, EnergyDrift, Evidence, FlipFinder};
+use crate::metrics::{self, EnergyDrift, Evidence};
 use crate::model::System;
 use crate::record::stability::{LinearLimit, Stability};
 use crate::record::{Drift, Measurement, Order, Series, Verdict};
-use crate::reference::{Reference, dop853};
+use crate::reference::Reference;
 use crate::rotation;
 use crate::scenes::Scene;
 use crate::simulate::{Contestant, Form, Plan};
 use crate::stability::{self, Bench};
 
-/// Intervals of the reference's flips: fine enough for cubic interpolation to 1e-9 of the duration.
-const FLIP_SAMPLES: u32 = 4096;
 /// States of a series.
 const SERIES_SAMPLES: u64 = 512;
 /// Rung of the ladder, from the coarsest, whose run is drawn against time.
@@ -57,7 +55,7 @@ pub(super) fn measure(
     let points = metrics::point_run(contestant, system, scene.duration, fastest);
     let asked = contestant.card.claims.contains(&Claim::FlipTimes);
     let flips = asked
-        .then(|| true_flips(scene, fastest))
+        .then(|| metrics::true_flips(system, reference, fastest))
         .flatten()
         .and_then(|truth| metrics::flips(contestant, system, scene.duration, fastest, truth));
     let claims = |claim: Claim| contestant.card.claims.contains(&claim);
@@ -134,17 +132,6 @@ pub(super) fn refused(scene: &Scene, contestant: &Contestant, reason: &str) -> C
 /// Largest |Ω| of the reference [rad/s].
 fn fastest(reference: &Reference) -> f64 {
     reference.states.iter().map(|s| rotation::length(&s.angular_velocity)).fold(0.0, f64::max)
-}
-
-/// Flip times of the reference; `None` for a body that does not tumble, or where the solver fails.
-fn true_flips(scene: &Scene, fastest: f64) -> Option<Vec<f64>> {
-    let axis = metrics::tumbling_axis(&scene.system)?;
-    let fine = FLIP_SAMPLES.max((scene.duration * fastest * 16.0).min(65536.0) as u32);
-    let times: Vec<f64> = (0..=fine).map(|j| f64::from(j) * scene.duration / f64::from(fine)).collect();
-    let run = dop853::solve(&scene.system, &times, dop853::TOLERANCE).ok()?;
-    let mut finder = FlipFinder::new(axis);
-    run.states.iter().for_each(|state| finder.push(state));
-    Some(finder.times)
 }
 
 fn drifts(names: &rows::Names, drift: Option<&EnergyDrift>) -> Vec<Drift> {

@@ -104,6 +104,9 @@ fn summary(findings: &Findings) -> String {
 /// Longest list of findings that is printed.
 const MOST_SHOWN: usize = 50;
 
+/// Scenes of correct schemes for each in which wrong orders are judged.
+const SCENES_FOR_A_WRONG_ORDER: u64 = 10;
+
 fn judge_random_scenes(seed: u64, count: u64, quiet: bool) -> Result<u8, Failure> {
     let bar = progress_bar(quiet, "judging");
     let findings = self_test::random::run(seed, count, &|done, all| {
@@ -112,7 +115,48 @@ fn judge_random_scenes(seed: u64, count: u64, quiet: bool) -> Result<u8, Failure
     });
     bar.finish_and_clear();
     super::run::print(&random_summary(seed, &findings))?;
+    let scenes = count.div_ceil(SCENES_FOR_A_WRONG_ORDER);
+    super::run::print(&power_summary(scenes, &self_test::power::run(seed, scenes)))?;
     Ok(u8::from(!findings.sound()))
+}
+
+/// What the order gate says of wrong orders.
+fn power_summary(scenes: u64, rows: &[self_test::power::Row]) -> String {
+    let mut table = Table::new();
+    table.load_preset(presets::UTF8_HORIZONTAL_ONLY);
+    table.set_header([
+        "wrong order",
+        "fails",
+        "undecided",
+        "passes",
+        "no order there",
+        "power",
+        "quantities that pass",
+    ]);
+    for row in rows {
+        let scenes = &row.scenes;
+        let counts = [scenes.fail + scenes.broken, scenes.inconclusive, scenes.pass, scenes.not_applicable];
+        let quantities =
+            format!("{} of {}", row.quantities.pass, row.quantities.all() - row.quantities.not_applicable);
+        let cells = counts.map(|count| count.to_string());
+        let ends = [format!("{:.1} %", 100.0 * row.power()), quantities];
+        table.add_row(std::iter::once(row.name.to_owned()).chain(cells).chain(ends));
+    }
+    let mut text = format!("\nWrong orders in the first {scenes} of them, by scene:\n{table}\n");
+    for row in rows.iter().filter(|row| !row.passed.is_empty()) {
+        text += &format!("passes in scenes {:?}: {}\n", row.passed, row.name);
+    }
+    let mut causes: BTreeMap<&str, usize> = BTreeMap::new();
+    for (cause, count) in rows.iter().flat_map(|row| &row.causes) {
+        *causes.entry(cause).or_default() += count;
+    }
+    let mut causes: Vec<_> = causes.into_iter().collect();
+    causes.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+    text += "Undecided, by cause:\n";
+    for (cause, count) in causes {
+        text += &format!("{count:6}  {cause}\n");
+    }
+    text
 }
 
 fn random_summary(seed: u64, findings: &self_test::random::Findings) -> String {

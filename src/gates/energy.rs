@@ -75,7 +75,7 @@ fn judge_rate(case: &Case, drift: &EnergyDrift, rate_order: u32, grows: bool) ->
         }
         (Class::Secular, Some(fit)) => {
             let (bottom, top) = (f64::from(rate_order) - BAND, f64::from(rate_order) + BAND);
-            let verdict = if (grows && shown.rate <= 0.0) || fit.slope < bottom || fit.slope > top {
+            let verdict = if (grows && shown.rate <= 0.0) || fit.high < bottom || fit.low > top {
                 Ruling::Fail
             } else if fit.low < bottom || fit.high > top {
                 Ruling::Inconclusive

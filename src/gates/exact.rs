@@ -69,10 +69,18 @@ fn judge_giant_steps(case: &Case, quantity: Quantity) -> Option<Verdict> {
 
 fn judge_ladder(case: &Case, name: &str, ladder: &QuantityLadder) -> Verdict {
     let unit = ladder.quantity.unit();
-    let whole = ladder.rungs.iter().zip(&case.evidence.rungs).filter(|(_, run)| run.outcome.broken.is_none());
+    // Where a step is so large that the scheme itself amplifies a rounding to an angle that can be seen, nothing is exact.
+    let turns = matches!(ladder.quantity, Quantity::Orientation | Quantity::AngularVelocity);
+    let open = |run: &Rung| turns && run.is_open(case.system);
+    let whole = ladder.rungs.iter().zip(&case.evidence.rungs);
+    let whole = whole.filter(|(_, run)| run.outcome.broken.is_none() && !open(run));
     let worst = whole.map(|(rung, _)| rung).max_by(|a, b| (a.1 - 10.0 * a.2).total_cmp(&(b.1 - 10.0 * b.2)));
     let (error, bound) = worst.map_or((f64::NAN, f64::NAN), |rung| (rung.1, 10.0 * rung.2));
     match ladder.ladder {
+        _ if worst.is_none() => {
+            let detail = "rounding leaves too much open in every run to call anything exact";
+            ruled(case, "exact", name, Ruling::Inconclusive, detail)
+        }
         Ladder::Broken => ruled(case, "exact", name, Ruling::Broken, "a run of the ladder broke"),
         _ => at_most(
             case,

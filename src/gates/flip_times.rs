@@ -5,11 +5,14 @@
 
 use super::{Case, open_angle, ruled};
 use crate::metrics::{BAND, Flips};
+use crate::model::Quantity;
 use crate::record::{Ruling, Verdict};
-use crate::regression;
+use crate::regression::{self, FEWEST_SLOPES, Fit, Ladder};
 
 /// Rungs, at the fine end, that must have the right number of flips.
 const COUNTED: usize = 3;
+/// Error of a time over its floor from which on it stands clear.
+const CLEAR: f64 = 10.0;
 
 pub(super) fn judge(case: &Case) -> Vec<Verdict> {
     let name = "flip-times";
@@ -25,49 +28,67 @@ pub(super) fn judge(case: &Case) -> Vec<Verdict> {
     }
     let fine = &flips.rungs[flips.rungs.len() - COUNTED..];
     let counts: Vec<usize> = fine.iter().map(|rung| rung.times.len()).collect();
-    if counts.iter().any(|count| *count != flips.truth.len()) {
-        let detail = format!("{} flips in truth, {counts:?} at the three finest steps", flips.truth.len());
+    let truth = flips.truth.times.len();
+    if counts.iter().any(|count| *count != truth) {
+        let detail = format!("{truth} flips in truth, {counts:?} at the three finest steps");
         return vec![ruled(case, name, name, Ruling::Fail, detail)];
     }
-    if flips.truth.is_empty() {
+    if truth == 0 {
         let detail = "no flip, as in truth, at the three finest steps";
         return vec![ruled(case, name, name, Ruling::Pass, detail)];
     }
-    vec![judge_convergence(case, flips, fine.len())]
+    vec![judge_convergence(case, flips)]
 }
 
-fn judge_convergence(case: &Case, flips: &Flips, counted: usize) -> Verdict {
-    let ladder: Vec<(f64, f64)> = flips.rungs[flips.rungs.len() - counted..]
-        .iter()
-        .map(|rung| (rung.step, late(flips, &rung.times)))
-        .collect();
-    let (step, error) = ladder[ladder.len() - 1];
-    let order = f64::from(case.card.order());
-    let slope = regression::fit_power(&ladder).map(|fit| fit.slope);
-    let (verdict, measured) = match slope {
-        Some(slope) if slope >= order - BAND => (Ruling::Pass, Some(slope)),
-        Some(slope) => (Ruling::Fail, Some(slope)),
-        None => (Ruling::Inconclusive, None),
+fn judge_convergence(case: &Case, flips: &Flips) -> Verdict {
+    let angle = Quantity::ALL.iter().position(|quantity| *quantity == Quantity::Orientation);
+    let rounding = angle.zip(case.evidence.rungs.last()).map_or(0.0, |(index, rung)| rung.floors[index].max);
+    let ladder = flips.ladder(rounding);
+    let (step, error, floor) = ladder[ladder.len() - 1];
+    let least = f64::from(case.card.order()) - BAND;
+    let known = error <= CLEAR * floor;
+    let (verdict, words) = match regression::find_window(&ladder) {
+        Ladder::Window { fit, .. } if fit.low >= least => (Ruling::Pass, slope(&fit)),
+        Ladder::Window { fit, .. } if fit.high < least => (Ruling::Fail, slope(&fit)),
+        // Whatever the slopes are, the times have come to the exact ones.
+        _ if known => (Ruling::Pass, "at its floor".to_owned()),
+        Ladder::Window { fit, .. } => (Ruling::Inconclusive, slope(&fit)),
+        // Faster than claimed is claimed too, whether or not the slopes agree.
+        _ => {
+            let last = last_slopes(&ladder);
+            let fast = last.len() == FEWEST_SLOPES && last.iter().all(|slope| *slope >= least);
+            let words = format!("slopes {last:.2?}, which do not agree to 0.15");
+            (if fast { Ruling::Pass } else { Ruling::Inconclusive }, words)
+        }
     };
-    let slope_text = measured.map_or("not to be read".to_owned(), |slope| format!("{slope:.2}"));
+    let fit =
+        if let Ladder::Window { fit, .. } = regression::find_window(&ladder) { Some(fit) } else { None };
     Verdict {
-        measured,
-        low: Some(order - BAND),
+        measured: fit.map(|fit| fit.slope),
+        low: fit.map(|fit| fit.low),
+        high: fit.map(|fit| fit.high),
         ..ruled(
             case,
             "flip-times",
             "flip-times",
             verdict,
             format!(
-                "{} flips; largest error of a time {error:.2e} s at h = {step:.2e} s, order {slope_text}, at least {:.2} claimed",
-                flips.truth.len(),
-                order - BAND
+                "{} flips; largest error of a time {error:.2e} s at h = {step:.2e} s, floor {floor:.1e} s: {words}; an order of at least {least:.2} is claimed",
+                flips.truth.times.len()
             ),
         )
     }
 }
 
-/// Largest error of a flip time [s].
-fn late(flips: &Flips, times: &[f64]) -> f64 {
-    times.iter().zip(&flips.truth).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+/// Slopes of the last rungs in a row that stand clear, three at most.
+fn last_slopes(ladder: &[(f64, f64, f64)]) -> Vec<f64> {
+    let is_clear = |rung: &(f64, f64, f64)| rung.1.is_finite() && rung.1 > CLEAR * rung.2;
+    let end = ladder.iter().rposition(is_clear).map_or(0, |last| last + 1);
+    let start = ladder[..end].iter().rposition(|rung| !is_clear(rung)).map_or(0, |last| last + 1);
+    let start = start.max(end.saturating_sub(FEWEST_SLOPES + 1));
+    ladder[start..end].windows(2).map(|w| (w[0].1 / w[1].1).ln() / (w[0].0 / w[1].0).ln()).collect()
+}
+
+fn slope(fit: &Fit) -> String {
+    format!("order {:.3} [{:.3}, {:.3}]", fit.slope, fit.low, fit.high)
 }

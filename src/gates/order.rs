@@ -32,21 +32,23 @@ pub(super) fn judge(case: &Case, order: u32) -> Vec<Verdict> {
 }
 
 /// A slope above the band says that the claimed order is too low, or that its term is too small to be seen in one quantity of one
-/// scene. Where another quantity of the same runs shows that order, its interval reaching into the band, it is not too low; and
-/// where another has not settled, the runs as a whole have not come to their asymptotic range: undecided.
+/// scene. Where another quantity of the same runs shows that order, its interval reaching into the band or its term under the next, it
+/// is not too low; and where another has not settled, the runs as a whole have not come to their asymptotic range: undecided.
 fn excuse_easy_quantities(case: &Case, order: u32, verdicts: &mut [Verdict]) {
-    let is_order = |v: &Verdict| v.claim == "order";
-    let shows =
-        |v: &Verdict| matches!(v.verdict, Ruling::Pass | Ruling::Inconclusive) && v.measured.is_some();
-    let seen = verdicts.iter().any(|v| is_order(v) && shows(v));
-    let open = case.evidence.ladders.iter().any(|ladder| ladder.ladder == Ladder::Unsettled);
-    let above = |v: &Verdict| v.low.is_some_and(|low| low > f64::from(order) + BAND);
-    let excuse = match (seen, open) {
-        (true, _) => "; other quantities of the same runs show the claimed order",
-        (_, true) => "; other quantities of the same runs have not settled",
-        _ => return,
+    let (bottom, top) = (f64::from(order) - BAND, f64::from(order) + BAND);
+    let shows = |ladder: &QuantityLadder| {
+        ladder.fit().is_some_and(|fit| fit.low <= top && fit.high >= bottom) || ladder.is_on_its_way(order)
     };
-    for verdict in verdicts.iter_mut().filter(|v| is_order(v) && v.verdict == Ruling::Fail && above(v)) {
+    let ladders = &case.evidence.ladders;
+    let excuse = if ladders.iter().any(shows) {
+        "; other quantities of the same runs show the claimed order"
+    } else if ladders.iter().any(|ladder| ladder.ladder == Ladder::Unsettled) {
+        "; other quantities of the same runs have not settled"
+    } else {
+        return;
+    };
+    let above = |v: &Verdict| v.claim == "order" && v.low.is_some_and(|low| low > top);
+    for verdict in verdicts.iter_mut().filter(|v| v.verdict == Ruling::Fail && above(v)) {
         verdict.verdict = Ruling::Inconclusive;
         verdict.detail += excuse;
     }
@@ -97,10 +99,7 @@ fn does_not_turn(case: &Case, quantity: Quantity) -> bool {
 
 fn judge_slope(case: &Case, order: u32, ladder: &QuantityLadder, name: &str) -> Verdict {
     let (verdict, detail) = match &ladder.ladder {
-        Ladder::Broken => {
-            let why = case.evidence.rungs.last().and_then(|rung| rung.outcome.broken.as_ref());
-            (Ruling::Broken, why.map_or("no finite error".to_owned(), ToString::to_string))
-        }
+        Ladder::Broken => judge_broken(case, ladder),
         _ => rule(ladder, order),
     };
     let fit = ladder.fit();
@@ -110,6 +109,23 @@ fn judge_slope(case: &Case, order: u32, ladder: &QuantityLadder, name: &str) -> 
         high: fit.map(|fit| fit.high),
         ..ruled(case, "order", name, verdict, detail)
     }
+}
+
+/// No finite error: the run broke, or shows what is no number; or the run is whole, one step differs from the next by a number, and it
+/// is the reference that has none.
+fn judge_broken(case: &Case, ladder: &QuantityLadder) -> (Ruling, String) {
+    let Some(last) = case.evidence.rungs.last() else {
+        return (Ruling::Broken, "no run".to_owned());
+    };
+    if let Some(why) = &last.outcome.broken {
+        return (Ruling::Broken, why.to_string());
+    }
+    let index = Quantity::ALL.iter().position(|quantity| *quantity == ladder.quantity);
+    if index.is_some_and(|index| ladder.place.of(&last.moved[index]).is_finite()) {
+        let detail = "the reference is not finite: there is nothing to compare with".to_owned();
+        return (Ruling::Inconclusive, detail);
+    }
+    (Ruling::Broken, "no finite error".to_owned())
 }
 
 /// What a ladder says of a claimed order, and why, by nothing but its numbers.

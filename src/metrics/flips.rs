@@ -3,15 +3,39 @@
 
 use nalgebra::Vector3;
 
+use super::BAND;
 use crate::model::body::Shape;
 use crate::model::{Snapshot, System};
+use crate::reference::{Reference, dop853};
+use crate::regression::{self, Ladder};
 use crate::rotation;
 use crate::simulate::{Contestant, Form, Plan};
 
 /// Part of |L| along the middle axis from which a body counts as tumbling about it.
 const TUMBLING: f64 = 0.9;
-/// Coarsest and finest run: radians turned a step.
-const TURNS: [f64; 5] = [0.02, 0.01, 0.005, 0.0025, 0.00125];
+/// Radians turned in a step of the coarsest run.
+const COARSEST_TURN: f64 = 0.16;
+/// Runs at halved steps, at least, …
+const FEWEST_RUNGS: usize = 8;
+/// … and at most, where the times are not settled.
+const MOST_RUNGS: usize = 11;
+/// Most steps of a run beyond the fewest.
+const MOST_STEPS: u64 = 1 << 20;
+/// Error of a cubic through every second state over that through every state: the fourth power of their spacing.
+const COARSER: f64 = 16.0;
+/// Intervals of the truth: fine enough for cubic interpolation to 1e-9 of the duration.
+const TRUE_SAMPLES: u32 = 4096;
+
+/// Flips of the truth.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TrueFlips {
+    /// Times [s].
+    pub times: Vec<f64>,
+    /// What they may be off by [s]: interpolation, and the solver's angle over the rate below.
+    pub uncertainty: f64,
+    /// Slowest rate at which L goes through the plane across the axis, over |L| [rad/s]: an angle over it is a time.
+    pub slowest: f64,
+}
 
 /// Flip times of one run.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,15 +44,45 @@ pub struct FlipRung {
     pub step: f64,
     /// Flip times [s].
     pub times: Vec<f64>,
+    /// What interpolation leaves open of them [s].
+    pub uncertainty: f64,
 }
 
 /// Flips of a scheme beside those of the reference.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flips {
-    /// Times in the reference [s].
-    pub truth: Vec<f64>,
+    /// Those of the reference.
+    pub truth: TrueFlips,
     /// Runs, step falling.
     pub rungs: Vec<FlipRung>,
+}
+
+impl Flips {
+    /// (h, largest error of a time, what it may be off by) with h falling; infinite where the flips are not as many as in truth. An
+    /// angle that rounding leaves open [rad] makes a time uncertain too.
+    pub fn ladder(&self, open: f64) -> Vec<(f64, f64, f64)> {
+        let rounding = if self.truth.slowest > 0.0 { open / self.truth.slowest } else { 0.0 };
+        self.rungs
+            .iter()
+            .map(|rung| (rung.step, self.late(rung), self.truth.uncertainty + rung.uncertainty + rounding))
+            .collect()
+    }
+
+    /// Largest error of a flip time [s].
+    fn late(&self, rung: &FlipRung) -> f64 {
+        if rung.times.len() != self.truth.times.len() {
+            return f64::INFINITY;
+        }
+        rung.times.iter().zip(&self.truth.times).map(|(a, b)| (a - b).abs()).fold(0.0, super::larger)
+    }
+
+    /// Whether a finer run would change nothing: the times are at their floor or converge at least as fast as claimed.
+    fn settled(&self, order: u32) -> bool {
+        let ladder = self.ladder(0.0);
+        let at_floor = ladder.last().is_some_and(|(_, late, floor)| *late <= 10.0 * floor);
+        let fast = |fit: &regression::Fit| fit.low >= f64::from(order) - BAND;
+        at_floor || matches!(regression::find_window(&ladder), Ladder::Window { fit, .. } if fast(&fit))
+    }
 }
 
 /// The middle axis of a body that starts out tumbling about it freely, body axes; `None` for any other.
@@ -54,12 +108,14 @@ pub struct FlipFinder {
     last: Option<(f64, (f64, f64))>,
     /// Times found [s].
     pub times: Vec<f64>,
+    /// How fast L went through, over |L|, at the slowest [rad/s]; infinite without a flip.
+    slowest: f64,
 }
 
 impl FlipFinder {
     /// A finder for flips of `axis`, body axes.
     pub fn new(axis: Vector3<f64>) -> FlipFinder {
-        FlipFinder { axis, last: None, times: Vec::new() }
+        FlipFinder { axis, last: None, times: Vec::new(), slowest: f64::INFINITY }
     }
 
     /// Takes the next state.
@@ -72,6 +128,7 @@ impl FlipFinder {
             && before.0.signum() != now.0.signum()
         {
             self.times.push(hermite_root(time, state.time, before, now));
+            self.slowest = self.slowest.min(now.1.abs() / rotation::length(&momentum));
         }
         self.last = Some((state.time, now));
     }
@@ -93,21 +150,76 @@ fn hermite_root(t0: f64, t1: f64, (v0, d0): (f64, f64), (v1, d1): (f64, f64)) ->
     t0 + span * 0.5 * (low + high)
 }
 
-/// Runs a scheme at five steps and finds its flips; `truth` are those of the reference.
+/// Flips by every state and by every second one: what interpolation leaves open is seen from their difference.
+struct Twice {
+    every: FlipFinder,
+    second: FlipFinder,
+    pushed: u64,
+}
+
+impl Twice {
+    fn new(axis: Vector3<f64>) -> Twice {
+        Twice { every: FlipFinder::new(axis), second: FlipFinder::new(axis), pushed: 0 }
+    }
+
+    fn push(&mut self, state: &Snapshot) {
+        self.every.push(state);
+        if self.pushed.is_multiple_of(2) {
+            self.second.push(state);
+        }
+        self.pushed += 1;
+    }
+
+    /// What interpolation leaves open [s]; nothing is known where every second state shows other flips.
+    fn uncertainty(&self) -> f64 {
+        let (fine, coarse) = (&self.every.times, &self.second.times);
+        // The last state may be left out of every second, and a flip with it.
+        if coarse.len() + 1 < fine.len() || coarse.len() > fine.len() {
+            return f64::INFINITY;
+        }
+        let apart = fine.iter().zip(coarse).map(|(a, b)| (a - b).abs()).fold(0.0, super::larger);
+        apart / (COARSER - 1.0)
+    }
+}
+
+/// Flips of the truth, by dop853, whose end is held against that of the reference; `None` for a body that does not tumble, or where
+/// the solver fails.
+pub fn true_flips(system: &System, reference: &Reference, fastest: f64) -> Option<TrueFlips> {
+    let axis = tumbling_axis(system)?;
+    let (duration, end) = (*reference.times.last()?, reference.states.last()?);
+    let fine = TRUE_SAMPLES.max((duration * fastest * 16.0).min(65536.0) as u32);
+    let times: Vec<f64> = (0..=fine).map(|j| f64::from(j) * duration / f64::from(fine)).collect();
+    let run = dop853::solve(system, &times, dop853::TOLERANCE).ok()?;
+    let mut finder = Twice::new(axis);
+    run.states.iter().for_each(|state| finder.push(state));
+    let angle = rotation::angle_between(&run.states.last()?.orientation, &end.orientation);
+    let slowest = finder.every.slowest;
+    let uncertainty = finder.uncertainty() + angle / slowest;
+    Some(TrueFlips { times: finder.every.times, uncertainty, slowest })
+}
+
+/// Runs a scheme at halved steps and finds its flips, until their times are settled.
 pub fn flips(
     contestant: &Contestant,
     system: &System,
     duration: f64,
     fastest: f64,
-    truth: Vec<f64>,
+    truth: TrueFlips,
 ) -> Option<Flips> {
     let axis = tumbling_axis(system)?;
-    let rungs = TURNS.map(|turn| {
-        let steps = (duration * fastest / turn).ceil() as u64;
+    let order = contestant.card.order();
+    let mut flips = Flips { truth, rungs: Vec::new() };
+    for index in 0..MOST_RUNGS {
+        let steps = (duration * fastest / COARSEST_TURN).ceil() as u64 * (1 << index);
+        let enough = index >= FEWEST_RUNGS && (steps > MOST_STEPS || flips.settled(order));
+        if enough {
+            break;
+        }
         let plan = Plan { step: duration / steps as f64, steps, every: 1 };
-        let mut finder = FlipFinder::new(axis);
+        let mut finder = Twice::new(axis);
         contestant.stream(system, Form::Least, &plan, &mut |state| finder.push(state));
-        FlipRung { step: plan.step, times: finder.times }
-    });
-    Some(Flips { truth, rungs: rungs.to_vec() })
+        let uncertainty = finder.uncertainty();
+        flips.rungs.push(FlipRung { step: plan.step, times: finder.every.times, uncertainty });
+    }
+    Some(flips)
 }

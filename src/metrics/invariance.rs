@@ -7,7 +7,7 @@
 
 use nalgebra::Vector3;
 
-use super::rounding::{rounding_growth, roundings};
+use super::rounding::{self, Adding, roundings};
 use super::{Place, Rung, larger, steady_rung};
 use crate::model::body::Shape;
 use crate::model::{Change, Quantity, Snapshot, System, difference, retold};
@@ -96,7 +96,8 @@ struct Rounding {
 fn rounding(contestant: &Contestant, system: &System, rung: &Rung, steps: u64) -> Rounding {
     let plan = Plan { step: rung.step, steps, every: (steps / SAMPLES).max(1) };
     let motion = contestant.run(system, Form::Least, &plan).states;
-    let growth = rounding_growth(contestant, system, &motion, &plan);
+    let measured = rounding::Rounding::measure(contestant, system, &motion, &plan);
+    let (growth, drawn) = (measured.growth(), measured.drawn_at(steps, Adding::Alike));
     let fastest = motion.iter().map(|s| rotation::length(&s.angular_velocity)).fold(0.0, f64::max);
     let turned = fastest * rung.step * steps as f64;
     let roundings = roundings(system, steps, turned);
@@ -105,7 +106,7 @@ fn rounding(contestant: &Contestant, system: &System, rung: &Rung, steps: u64) -
     let condition = if system.body.shape == Shape::Extended { moments.max() / moments.min() } else { 1.0 };
     let of_inertia = INERTIA_ROUNDING * condition * (1.0 + turned);
     Rounding {
-        of_steps: std::array::from_fn(|index| growth[index].max * roundings[index]),
+        of_steps: std::array::from_fn(|index| drawn[index].max.max(growth[index].max * roundings[index])),
         of_inertia: growth.map(|growth| growth.max * of_inertia),
     }
 }

@@ -1,41 +1,23 @@
-//! A scheme's ladder of steps on a scene: the same run at halved steps, until the orders are settled.
+//! A scheme's ladder of steps on a scene, and what it says of each quantity's order.
 
-use super::rounding::{floors, of_giant_steps, rounding_growth, roundings};
-use super::{ALL, Reading, Sight, errors, tolerance};
-use crate::model::{Quantity, Snapshot, System, difference};
-use crate::reference::Reference;
+use super::{FOLLOWS, Reading};
+use crate::model::{Quantity, System};
 use crate::regression::{self, Fit, Ladder};
 use crate::rotation;
-use crate::simulate::{Contestant, Form, Outcome, Plan, Trajectory};
+use crate::simulate::Outcome;
 
-/// Fewest rungs of a ladder.
-const FEWEST_RUNGS: usize = 6;
-/// Further rungs of a ladder that carries no order, while its runs do not tell where they go.
-const MORE_RUNGS: usize = 3;
 /// Change by the last halving over the error, below which a run may have come to another motion.
 pub const APART: f64 = 0.2;
-/// Most rungs of a ladder.
-const MOST_RUNGS: usize = 20;
-/// Radians turned in a step of the coarsest rung, at most.
-const COARSEST_TURN: f64 = 0.4;
-/// Order from which on a run may have fewer steps than the reference has samples, …
-const HIGH_ORDER: u32 = 4;
-/// … and is compared at this many.
-const FEWEST_SAMPLES: usize = 8;
-/// A solver that chooses its own steps is compared at this many.
-const SAMPLES_OF_OWN_STEPS: usize = 4;
-/// Change of a slope by one more rung from which on the ladder may still become something else.
-pub const STANDS: f64 = 0.02;
-/// Numbers of steps, odd ones, that a whole run in steady spin is made in besides its ladder.
-const GIANT_STEPS: [u64; 4] = [1, 3, 5, 7];
 /// Misfit without a term over that with it, from which on the term is seen.
 const FAR_BETTER: f64 = 5.0;
 /// Misfit that errors may leave which rounding bends by up to a floor at the fine end of a window.
 const ROUNDING_EXPLAINS: f64 = 0.5;
-/// Slope below which errors hardly fall.
-const FLAT: f64 = 0.5;
-/// Angle left open by roundings [rad] from which on nothing is exact.
+/// Angle left open by roundings [rad], or part of the spin, from which on nothing is exact.
 const OPEN_ANGLE: f64 = 1e-3;
+/// Error over its floor from which on it stands clear.
+const CLEAR: f64 = 10.0;
+/// The same, of the rung that a window must reach and that a constant is taken from.
+const SURE: f64 = 100.0;
 /// Half-width of the band about the claimed order.
 pub const BAND: f64 = 0.15;
 
@@ -88,6 +70,36 @@ pub struct Rung {
     pub outcome: Outcome,
 }
 
+impl Rung {
+    /// Whether rounding and the reference leave so much open of the rotation that nothing can be called exact.
+    pub fn is_open(&self, system: &System) -> bool {
+        let momentum = system.start.orientation.inverse_transform_vector(&system.start.angular_momentum);
+        let spin = rotation::length(&(system.body.inverse_inertia() * momentum));
+        Quantity::ALL.iter().zip(&self.floors).any(|(quantity, floor)| match quantity {
+            Quantity::Orientation => floor.max > OPEN_ANGLE,
+            Quantity::AngularVelocity => spin > 0.0 && floor.max > OPEN_ANGLE * spin,
+            _ => false,
+        })
+    }
+
+    /// Whether the run follows the truth, to a tenth of the body's size.
+    pub(super) fn follows(&self, system: &System) -> bool {
+        let place = Quantity::ALL.iter().position(|quantity| *quantity == Quantity::BodyPoint);
+        place.is_some_and(|index| self.errors[index].max <= FOLLOWS * system.body.extent())
+    }
+
+    /// Whether an error stands clear of the floor that `unlike` roundings make and not of its own, or a hundred times clear.
+    pub(super) fn is_clear_by_one_law(&self, unlike: &[Reading; 6]) -> bool {
+        let between = |error: f64, low: f64, high: f64| {
+            [CLEAR, SURE].iter().any(|clear| error > clear * low && error <= clear * high)
+        };
+        self.outcome.broken.is_none()
+            && self.errors.iter().zip(unlike).zip(&self.floors).any(|((error, low), high)| {
+                between(error.end, low.end, high.end) || between(error.max, low.max, high.max)
+            })
+    }
+}
+
 /// A quantity's ladder, judged by nothing but its numbers.
 #[derive(Clone, Debug)]
 pub struct QuantityLadder {
@@ -116,7 +128,7 @@ impl QuantityLadder {
 
     /// A foreign program's ladder ends sooner than a scheme's. One whose finest error is still about as large as the motion
     /// decides nothing about an order, where it would be below the claimed one.
-    fn doubt_where_it_ended_early(&mut self, order: u32, sizes: &[f64; 6]) {
+    pub(super) fn doubt_where_it_ended_early(&mut self, order: u32, sizes: &[f64; 6]) {
         let size = Quantity::ALL.iter().position(|quantity| *quantity == self.quantity).map(|i| sizes[i]);
         let large =
             self.rungs.last().zip(size).is_some_and(|(rung, size)| rung.1 > AS_LARGE_AS_THE_MOTION * size);
@@ -132,15 +144,18 @@ impl QuantityLadder {
         if let Ladder::Window { fit, .. } = &self.ladder { Some(*fit) } else { None }
     }
 
-    /// Whether the window shows a term of `order` that the next one still hides: with it two terms explain the window, and far
-    /// better than two terms without it. Slopes outside the band then say nothing against that order.
+    /// Whether the window shows a term of `order` that the next one still hides: with it two terms explain the window, far
+    /// better than two terms without it, and better than any single power. Slopes outside the band then say nothing against that
+    /// order.
     pub fn is_on_its_way(&self, order: u32) -> bool {
         let Ladder::Window { rungs, .. } = &self.ladder else { return false };
         let window: Vec<_> =
             self.rungs[rungs.clone()].iter().map(|(h, e, floor)| (*h, *e, floor / e)).collect();
         let without = regression::misfit(&window, order + 1).unwrap_or(f64::INFINITY);
-        regression::misfit(&window, order)
-            .is_some_and(|with| with <= 1.0 && without > ROUNDING_EXPLAINS && FAR_BETTER * with < without)
+        let power = regression::misfit_of_a_power(&window).unwrap_or(0.0);
+        regression::misfit(&window, order).is_some_and(|with| {
+            with <= 1.0 && without > ROUNDING_EXPLAINS && FAR_BETTER * with < without && with < power
+        })
     }
 
     /// Whether the interval lies inside the band about `order`.
@@ -170,250 +185,9 @@ impl Evidence {
     }
 }
 
-/// Runs a ladder. `order` is the claimed one: the ladder grows finer until every quantity's order is settled, at
-/// its floor, or out of reach.
-///
-/// The higher the order, the larger the steps that the ladder begins at, so that a few halvings remain above
-/// rounding: √2 times for each order above two. From the fourth on there is a rung between any two halvings, and the
-/// maximum over the run is taken over eight samples.
-///
-/// Where `settle` is false, as in a scene that carries no order, six rungs are enough, or a few more where those do not tell
-/// whether they come to the truth.
-pub fn climb(
-    contestant: &Contestant,
-    system: &System,
-    reference: &Reference,
-    order: u32,
-    settle: bool,
-) -> Evidence {
-    let coarser = 2f64.powf(f64::from(order.saturating_sub(2)) / 2.0);
-    let samples = match order {
-        // Every stored time cuts a step that the solver has chosen.
-        _ if contestant.card.tolerance_exponent() > 0 => SAMPLES_OF_OWN_STEPS,
-        HIGH_ORDER.. => FEWEST_SAMPLES,
-        _ => reference.times.len() - 1,
-    };
-    let thinned = reference.thinned((reference.times.len() - 1) / samples);
-    let reference = &thinned;
-    let coarsest = COARSEST_TURN * coarser;
-    let samples = reference.times.len() as u64 - 1;
-    let duration = reference.times[reference.times.len() - 1];
-    let turned =
-        reference.states.iter().map(|s| rotation::length(&s.angular_velocity)).fold(0.0, f64::max) * duration;
-    let mut first = if order < HIGH_ORDER { samples } else { 2 * samples };
-    while turned / first as f64 > coarsest && first << FEWEST_RUNGS <= contestant.most_steps() {
-        first *= 2;
-    }
-    let growth = rounding_growth(contestant, system, &reference.states, &plan(reference, first * 4));
-    let mut evidence = Evidence {
-        model: contestant.model(system),
-        rungs: Vec::new(),
-        ladders: Vec::new(),
-        giant_steps: Vec::new(),
-    };
-    let mut before = Vec::new();
-    let mut earlier: Vec<Vec<QuantityLadder>> = Vec::new();
-    // Rungs of one halving of h.
-    let halving = if order < HIGH_ORDER { 1 } else { 2 };
-    for index in 0..MOST_RUNGS {
-        let steps = steps_of_rung(first, index, order);
-        // The steps of a solver that chooses its own are its tolerances' names alone.
-        let dear = steps > contestant.most_steps() && contestant.card.tolerance_exponent() == 0;
-        if dear && index >= FEWEST_RUNGS {
-            break;
-        }
-        // A steady spin is exact at every step but for roundings, and those a large step may amplify by itself.
-        let own = system
-            .steady_spin()
-            .then(|| rounding_growth(contestant, system, &reference.states, &plan(reference, steps)));
-        let growth = own.as_ref().unwrap_or(&growth);
-        let floors = floors(system, reference, growth, roundings(system, steps, turned));
-        let (rung, states) = run_rung(contestant, system, reference, steps, floors, &before);
-        let refused = rung.outcome.refusal().is_some();
-        evidence.rungs.push(rung);
-        if refused {
-            break;
-        }
-        before = states;
-        if index + 1 >= FEWEST_RUNGS {
-            evidence.ladders = ladders(&evidence.rungs, order);
-            let last = earlier.len().checked_sub(halving).map(|index| &earlier[index]);
-            let of_last = |index: usize| last.and_then(|ladders| ladders.get(index));
-            let mut pairs = evidence.ladders.iter().enumerate();
-            let power = contestant.card.tolerance_exponent();
-            let done = match settle {
-                _ if power > 0 => tolerance::settled(&evidence, system, power),
-                false => tells_where_it_goes(&evidence.rungs) || index + 1 >= FEWEST_RUNGS + MORE_RUNGS,
-                // A scheme that claims no order has none to settle.
-                true => order == 0 || pairs.all(|(index, ladder)| settled(ladder, of_last(index), order)),
-            };
-            if done {
-                break;
-            }
-            earlier.push(evidence.ladders.clone());
-        }
-    }
-    if contestant.is_foreign() {
-        let sizes = sizes(system, reference);
-        evidence.ladders.iter_mut().for_each(|ladder| ladder.doubt_where_it_ended_early(order, &sizes));
-    }
-    if system.steady_spin() && evidence.refusal().is_none() {
-        evidence.giant_steps = giant_steps(contestant, system, reference, &growth, turned);
-    }
-    evidence
-}
-
-/// Steps of a rung: halvings of h, and from the fourth order on their middles too, 3/2 and 4/3 times as many by turns.
-fn steps_of_rung(first: u64, index: usize, order: u32) -> u64 {
-    if order < HIGH_ORDER {
-        return first << index;
-    }
-    (if index.is_multiple_of(2) { first } else { first / 2 * 3 }) << (index / 2)
-}
-
-/// Whether the last two runs came to their ends, and differ from one another by as much as from the truth or are at its floor.
-fn tells_where_it_goes(rungs: &[Rung]) -> bool {
-    let [.., before, last] = rungs else { return false };
-    let whole = |rung: &Rung| rung.outcome.broken.is_none();
-    let Some(place) = Quantity::ALL.iter().position(|quantity| *quantity == Quantity::BodyPoint) else {
-        return true;
-    };
-    let (error, floor) = (last.errors[place].max, last.floors[place].max);
-    whole(before) && whole(last) && (error <= 10.0 * floor || last.moved[place].max >= APART * error)
-}
-
-/// Whether a finer rung would change nothing: the order holds, the error is at its floor, or the last halving of h has
-/// left the slope where it was, below the band. (What a slope still has to go is about what the last halving changed,
-/// where the next term of the error is one power of h higher. A slope above the band may stand there for as long as the next
-/// term leads, and come down at last.)
-fn settled(ladder: &QuantityLadder, last: Option<&QuantityLadder>, order: u32) -> bool {
-    let at_floor = ladder.rungs.last().is_some_and(|(_, e, floor)| *e <= 10.0 * floor);
-    let before = last.and_then(QuantityLadder::fit);
-    let stands = ladder.fit().zip(before).is_some_and(|(now, before)| {
-        let below = now.slope < f64::from(order) - BAND;
-        let change = (now.slope - before.slope).abs();
-        // A slope that has come to rest at another whole order will not leave it for the claimed one.
-        let at_rest = (now.slope - now.slope.round()).abs() < STANDS && change < 0.25 * STANDS;
-        (below && change < STANDS || at_rest) && !ladder.is_on_its_way(order)
-    });
-    at_floor || stands || ladder.holds(order)
-}
-
-/// The whole run in a few steps, compared at its end. Steps that amplify a rounding to an angle that can be seen say nothing.
-fn giant_steps(
-    contestant: &Contestant,
-    system: &System,
-    reference: &Reference,
-    growth: &[Reading; 6],
-    turned: f64,
-) -> Vec<Rung> {
-    let last = reference.times.len() - 1;
-    let angle = Quantity::ALL.iter().position(|quantity| *quantity == Quantity::Orientation);
-    let run = |steps: u64| {
-        let plan = Plan { step: reference.times[last] / steps as f64, steps, every: steps };
-        let own = rounding_growth(contestant, system, &reference.states, &plan);
-        let open = angle.map_or(0.0, |index| own[index].end * f64::EPSILON * (1.0 + turned));
-        if open > OPEN_ANGLE {
-            return None;
-        }
-        let Trajectory { states, outcome } = contestant.run(system, Form::Least, &plan);
-        let mut errors = [Reading { end: f64::NAN, max: f64::NAN }; 6];
-        if let (None, Some(end)) = (&outcome.broken, states.last()) {
-            let apart = difference(&system.body, end, &reference.states[last]);
-            errors = apart.map(|value| Reading { end: value, max: value });
-        }
-        let measured = of_giant_steps(contestant, system, &plan, states.last());
-        let mut floors = floors(system, reference, growth, roundings(system, steps, turned));
-        for (floor, measured) in floors.iter_mut().zip(measured) {
-            *floor = Reading { end: floor.end.max(measured), max: floor.max.max(measured) };
-        }
-        Some(Rung { step: plan.step, steps, errors, floors, moved: errors, readings: Vec::new(), outcome })
-    };
-    GIANT_STEPS.into_iter().filter_map(run).collect()
-}
-
-fn run_rung(
-    contestant: &Contestant,
-    system: &System,
-    reference: &Reference,
-    steps: u64,
-    floors: [Reading; 6],
-    before: &[Snapshot],
-) -> (Rung, Vec<Snapshot>) {
-    let plan = plan(reference, steps);
-    let Trajectory { states, outcome } = contestant.run(system, Form::Least, &plan);
-    let nothing = Reading { end: f64::NAN, max: f64::NAN };
-    let (mut measured, mut readings) = ([nothing; 6], vec![None; ALL.len()]);
-    let moved = if before.len() == states.len() { apart(system, &states, before) } else { [nothing; 6] };
-    if outcome.broken.is_none() {
-        let sight = Sight { system, reference, states: &states };
-        measured = errors(&sight);
-        readings = ALL.iter().map(|metric| metric.measure(&sight)).collect();
-    }
-    (Rung { step: plan.step, steps, errors: measured, floors, moved, readings, outcome }, states)
-}
-
-/// How far two runs are apart at the end and at most.
-pub(super) fn apart(system: &System, a: &[Snapshot], b: &[Snapshot]) -> [Reading; 6] {
-    let mut readings = [Reading { end: 0.0, max: 0.0 }; 6];
-    for (a, b) in a.iter().zip(b) {
-        for (reading, value) in readings.iter_mut().zip(difference(&system.body, a, b)) {
-            *reading = Reading { end: value, max: super::larger(reading.max, value) };
-        }
-    }
-    readings
-}
-
-fn plan(reference: &Reference, steps: u64) -> Plan {
-    let samples = reference.times.len() as u64 - 1;
-    Plan::over(reference.times[reference.times.len() - 1], steps, samples)
-}
-
-fn ladders(rungs: &[Rung], order: u32) -> Vec<QuantityLadder> {
-    let mut ladders = Vec::new();
-    for (index, quantity) in Quantity::ALL.into_iter().enumerate() {
-        for place in Place::ALL {
-            let points: Vec<_> = rungs
-                .iter()
-                .map(|r| (r.step, place.of(&r.errors[index]), place.of(&r.floors[index])))
-                .collect();
-            let moved: Vec<f64> = rungs.iter().map(|r| place.of(&r.moved[index])).collect();
-            let mut ladder = QuantityLadder::of(quantity, place, points, order);
-            if is_doubtful(&ladder, &moved, order) {
-                (ladder.ladder, ladder.constant) = (Ladder::Unsettled, None);
-            }
-            ladders.push(ladder);
-        }
-    }
-    ladders
-}
-
-/// A window whose slope is below the claimed order says nothing of the limit h → 0 where its runs do not agree with one another
-/// as that slope would have it: where they differ by far more (errors as large as the motion do not fall, yet every run goes a
-/// way of its own), and where errors hardly fall and the runs do not come nearer to one another either. (Runs that agree with
-/// one another but not with the truth stay: they converge to something wrong.)
-fn is_doubtful(ladder: &QuantityLadder, moved: &[f64], order: u32) -> bool {
-    let Ladder::Window { rungs, fit } = &ladder.ladder else { return false };
-    let (last, before) = (rungs.end - 1, rungs.end - 2);
-    let (fine, coarse) = (ladder.rungs[last], ladder.rungs[before]);
-    let expected = (coarse.0 / fine.0).powf(fit.slope.max(0.0)) - 1.0;
-    let differ = moved[last] > (3.0 * expected + 0.1) * fine.1;
-    // Even a first-order rule that converges to something wrong comes nearer to it by half with every halving.
-    let wander = fit.slope < FLAT && moved[last] > 0.01 * fine.1 && moved[last] > 0.75 * moved[before];
-    fit.slope < f64::from(order) - BAND && (differ || wander)
-}
-
 fn leading_constant(points: &[(f64, f64, f64)], ladder: &Ladder, order: u32) -> Option<f64> {
     let Ladder::Window { rungs, .. } = ladder else { return None };
     let window = &points[rungs.clone()];
     let clearest = window.iter().rev().find(|(_, e, floor)| *e >= 100.0 * floor).or(window.first())?;
     Some(clearest.1 / clearest.0.powi(order as i32))
-}
-
-/// How large each quantity of a motion is, or how far it can be off at all; a position can be off by anything.
-fn sizes(system: &System, reference: &Reference) -> [f64; 6] {
-    let largest = |value: fn(&Snapshot) -> f64| reference.states.iter().map(value).fold(0.0, f64::max);
-    let spin = largest(|s| rotation::length(&s.angular_velocity));
-    let momentum = largest(|s| rotation::length(&s.angular_momentum));
-    [f64::INFINITY, f64::INFINITY, 1.0, spin, momentum, system.body.extent()]
 }

@@ -3,9 +3,11 @@
 //! A metric reads the states of a run and those of its reference at the same times. It returns the value at the
 //! end and the largest over the run; what does not apply to a scene is `None`, never a number.
 
+mod climb;
 mod drift;
 mod energy;
 mod flips;
+mod giant_steps;
 mod invariance;
 mod invariants;
 mod ladder;
@@ -20,10 +22,11 @@ mod tolerance;
 use crate::model::{Quantity, Snapshot, System, difference};
 use crate::reference::Reference;
 
+pub use climb::{STANDS, climb};
 pub use drift::{Class, EnergyDrift, EnergyRung, energy_drift};
-pub use flips::{FlipFinder, FlipRung, Flips, flips, tumbling_axis};
+pub use flips::{FlipFinder, FlipRung, Flips, TrueFlips, flips, true_flips, tumbling_axis};
 pub use invariance::{OtherWorld, other_worlds};
-pub use ladder::{APART, BAND, Evidence, Place, QuantityLadder, Rung, STANDS, climb};
+pub use ladder::{APART, BAND, Evidence, Place, QuantityLadder, Rung};
 pub use points::{PointRun, point_run};
 pub use reversal::{Reversal, reversal};
 pub use symplecticity::{Symplecticity, symplecticity};
@@ -108,9 +111,7 @@ pub fn describe(quantity: Quantity) -> &'static str {
 /// The coarsest run of a ladder that follows the truth, to a tenth of the body's size: coarser ones may be unstable and
 /// amplify every rounding.
 fn steady_rung<'a>(system: &System, rungs: &'a [Rung]) -> Option<&'a Rung> {
-    let extent = system.body.extent();
-    let point = Quantity::ALL.iter().position(|q| *q == Quantity::BodyPoint)?;
-    rungs.iter().find(|rung| rung.errors[point].max <= FOLLOWS * extent)
+    rungs.iter().find(|rung| rung.follows(system))
 }
 
 /// The larger of two numbers; NaN if either is, where `f64::max` would hide it.

@@ -3,7 +3,7 @@
 
 use super::rounding::TURNS;
 use crate::model::forces::Law;
-use crate::model::{Change, Quantity, Snapshot, System, difference};
+use crate::model::{Change, Quantity, Snapshot, System, difference, retold};
 use crate::rotation;
 use crate::simulate::{Contestant, Form, Outcome, Plan};
 
@@ -29,8 +29,8 @@ pub struct PointRun {
     pub momentum_change: Option<f64>,
     /// What a rounding of Σ X̃_k × F_k in every step may add to L by the end, over |L|.
     pub torque_rounding: f64,
-    /// What rounding does to the point form: its largest difference from itself in turned worlds, each quantity over its own
-    /// scale.
+    /// What rounding does: the largest differences of either form from itself in turned worlds, and of the least model from itself
+    /// with the inertia of the same body told in another way, each quantity over its own scale.
     pub rounding: f64,
     /// Cost of the point form.
     pub outcome: Outcome,
@@ -56,7 +56,9 @@ pub fn point_run(contestant: &Contestant, system: &System, duration: f64, fastes
         change =
             super::larger(change, rotation::length(&(a.angular_momentum - system.start.angular_momentum)));
     }
-    let rounding = rounding(contestant, system, &plan, &written.states, &scales);
+    let of_form = |form, own: &[Snapshot]| rounding(contestant, system, form, &plan, own, &scales);
+    let of_inertia = retold(contestant, system, &plan, &least.states, &scales);
+    let rounding = of_form(Form::Points, &written.states) + of_form(Form::Least, &least.states) + of_inertia;
     let momentum = rotation::length(&system.start.angular_momentum);
     let torque_rounding = f64::EPSILON * weight_on_arms(system) * step * STEPS as f64 / momentum;
     Some(PointRun {
@@ -71,11 +73,12 @@ pub fn point_run(contestant: &Contestant, system: &System, duration: f64, fastes
     })
 }
 
-/// The point form in turned worlds beside itself: they differ by rounding alone. What differs by more than [`NO_ROUNDING`] is
-/// none, and counts as nothing.
+/// A form in turned worlds beside itself: they differ by rounding alone. What differs by more than [`NO_ROUNDING`] is none, and
+/// counts as nothing.
 fn rounding(
     contestant: &Contestant,
     system: &System,
+    form: Form,
     plan: &Plan,
     own: &[Snapshot],
     scales: &[f64; 6],
@@ -83,21 +86,41 @@ fn rounding(
     let mut largest = 0.0;
     for turn in TURNS {
         let change = Change { turn: rotation::turn(&turn), ..Change::none() };
-        let other = contestant.run(&change.apply(system), Form::Points, plan);
-        let apart = other
-            .states
-            .iter()
-            .zip(own)
-            .flat_map(|(a, b)| {
-                let apart = difference(&system.body, &change.undo(a), b);
-                std::array::from_fn::<f64, 6, _>(|index| apart[index] / scales[index])
-            })
-            .fold(0.0, super::larger);
-        if apart <= NO_ROUNDING {
-            largest = f64::max(largest, apart);
-        }
+        let other = contestant.run(&change.apply(system), form, plan);
+        let states = other.states.iter().map(|state| change.undo(state));
+        largest = f64::max(largest, unless_a_defect(furthest(system, states, own, scales)));
     }
     largest
+}
+
+/// The least model sums its inertia once, and the rounding of that stays with it in every world. The sum over the same points in
+/// another order, or over one more of them, has another.
+fn retold(contestant: &Contestant, system: &System, plan: &Plan, own: &[Snapshot], scales: &[f64; 6]) -> f64 {
+    let told = [retold::permuted(system), retold::split(system)];
+    told.into_iter().flatten().fold(0.0, |largest, told| {
+        let states = contestant.run(&told, Form::Least, plan).states;
+        f64::max(largest, unless_a_defect(furthest(system, states.into_iter(), own, scales)))
+    })
+}
+
+fn unless_a_defect(apart: f64) -> f64 {
+    if apart <= NO_ROUNDING { apart } else { 0.0 }
+}
+
+/// Largest difference of any quantity over its scale.
+fn furthest(
+    system: &System,
+    states: impl Iterator<Item = Snapshot>,
+    own: &[Snapshot],
+    scales: &[f64; 6],
+) -> f64 {
+    states
+        .zip(own)
+        .flat_map(|(a, b)| {
+            let apart = difference(&system.body, &a, b);
+            std::array::from_fn::<f64, 6, _>(|index| apart[index] / scales[index])
+        })
+        .fold(0.0, super::larger)
 }
 
 /// Σ M_k |X̃_k| |g| [N m]: the size of the torques of gravity that cancel in their sum.

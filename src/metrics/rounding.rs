@@ -1,9 +1,13 @@
 //! The floor of an error: what rounding and the reference leave undecided.
 //!
-//! Rounding is measured: the start is moved a little in fixed directions, and the growth of the difference over the run says
+//! Rounding is measured twice. The start is moved a little in fixed directions, and the growth of the difference over the run says
 //! what a rounding of each step becomes. n steps leave about √n roundings, but n of them where every step is the same and
 //! rounds the same way: the rotation in a steady spin, the translation under a constant force. The rounding of h turns
-//! the phase by u |Ω| T.
+//! the phase by u |Ω| T. Then the same run is made in turned worlds: the motion is the same, every rounding is another, and how far
+//! they end from one another is what rounding does, however its parts add up. From the steps of that run to more of them it grows as the
+//! root of their number or, where steps round alike for a while without being the same, as the number itself: the larger one is
+//! taken, and where an error is clear of its floor by the one and not by the other, the runs are drawn anew at that very step.
+//! More than n roundings, and what n solves of an implicit equation leave, there cannot be: beyond that a difference is a defect.
 //!
 //! In steps of many radians a rounding within the step may grow by powers of the angle before the step is over. There the
 //! whole rounding is measured: the same run in turned worlds differs from itself by nothing else.
@@ -11,7 +15,8 @@
 use nalgebra::Vector3;
 
 use super::Reading;
-use super::ladder::apart;
+use super::climb::apart;
+use crate::model::body::Shape;
 use crate::model::{Change, Snapshot, Start, System, difference};
 use crate::reference::Reference;
 use crate::rotation;
@@ -35,6 +40,111 @@ const DIRECTIONS: usize = 3;
 const NO_ROUNDING: f64 = 1e-3;
 /// What the iteration of an implicit equation may leave, relative.
 const SOLVED_TO: f64 = 1e-12;
+/// Turned worlds that the roundings of a ladder are drawn in: none of those that gates judge by.
+const DRAWN_IN: [Vector3<f64>; 3] =
+    [Vector3::new(1.2, 0.9, -0.5), Vector3::new(-0.7, 1.4, 1.1), Vector3::new(0.5, -0.4, -2.3)];
+/// Roundings of a step, at most, that are all of one sign: those of Ω = I⁻¹ L, of the rotation and of its product, some sums of three
+/// each.
+const A_STEP: f64 = 8.0;
+/// Relative difference of two moments below which they are one.
+const ONE_MOMENT: f64 = 1e-9;
+const NOTHING: Reading = Reading { end: 0.0, max: 0.0 };
+
+/// What rounding does to the runs of a scheme in a scene.
+pub(super) struct Rounding {
+    growth: [Reading; 6],
+    drawn: Drawn,
+    solves_of_step: f64,
+}
+
+/// How far runs whose every rounding is another end from one another.
+struct Drawn {
+    steps: u64,
+    apart: [Reading; 6],
+}
+
+impl Rounding {
+    /// Measured in the steps of a plan. `motion` says how large everything gets.
+    pub fn measure(contestant: &Contestant, system: &System, motion: &[Snapshot], plan: &Plan) -> Rounding {
+        let own = contestant.run(system, Form::Least, plan);
+        Rounding {
+            growth: growth_beside(contestant, system, motion, plan, &own.states),
+            drawn: Drawn { steps: plan.steps, apart: draw_anew(contestant, system, plan, &own.states) },
+            solves_of_step: own.outcome.solves as f64 / own.outcome.steps.max(1) as f64,
+        }
+    }
+
+    /// Draws anew in the steps of another plan, which `own` is the run of.
+    pub fn draw_again(&mut self, contestant: &Contestant, system: &System, plan: &Plan, own: &[Snapshot]) {
+        self.drawn = Drawn { steps: plan.steps, apart: draw_anew(contestant, system, plan, own) };
+    }
+
+    /// Floors of a run of `steps` steps over `turned` radians, with roundings that add up as the law says from the run on that
+    /// they were drawn in.
+    pub fn floors(
+        &self,
+        system: &System,
+        reference: &Reference,
+        steps: u64,
+        turned: f64,
+        law: Adding,
+    ) -> [Reading; 6] {
+        let mut floors = floors(system, reference, &self.growth, roundings(system, steps, turned));
+        for (floor, drawn) in floors.iter_mut().zip(self.drawn_at(steps, law)) {
+            *floor = Reading { end: floor.end.max(drawn.end), max: floor.max.max(drawn.max) };
+        }
+        floors
+    }
+
+    /// How many times larger a relative displacement of the start gets.
+    pub fn growth(&self) -> &[Reading; 6] {
+        &self.growth
+    }
+
+    /// What rounding does to a run of so many steps, as it was drawn.
+    pub fn drawn_at(&self, steps: u64, law: Adding) -> [Reading; 6] {
+        let more = steps as f64 / self.drawn.steps as f64;
+        let more = if law == Adding::Alike { more.max(more.sqrt()) } else { more.sqrt() };
+        let most = steps as f64 * (A_STEP * f64::EPSILON + self.solves_of_step * SOLVED_TO);
+        std::array::from_fn(|index| {
+            let (apart, growth) = (&self.drawn.apart[index], &self.growth[index]);
+            Reading {
+                end: (more * apart.end).min(most * growth.end),
+                max: (more * apart.max).min(most * growth.max),
+            }
+        })
+    }
+}
+
+/// How roundings of one step add to those of another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Adding {
+    /// As the root of their number: no two of them are alike.
+    Unlike,
+    /// As their number.
+    Alike,
+}
+
+/// How far runs in turned worlds end from `own`, at most: the same motion, and every rounding is another. A solver that chooses its own
+/// steps chooses others there, and what it differs by is no rounding.
+fn draw_anew(contestant: &Contestant, system: &System, plan: &Plan, own: &[Snapshot]) -> [Reading; 6] {
+    let mut largest = [NOTHING; 6];
+    if contestant.card.tolerance_exponent() > 0 {
+        return largest;
+    }
+    for turn in DRAWN_IN {
+        let change = Change { turn: rotation::turn(&turn), ..Change::none() };
+        let run = contestant.run(&change.apply(system), Form::Least, plan);
+        if run.outcome.broken.is_some() {
+            continue;
+        }
+        let states: Vec<Snapshot> = run.states.iter().map(|state| change.undo(state)).collect();
+        for (largest, by) in largest.iter_mut().zip(apart(system, &states, own)) {
+            *largest = Reading { end: largest.end.max(by.end), max: largest.max.max(by.max) };
+        }
+    }
+    largest
+}
 
 /// How many times larger a relative displacement of the start is at the end and at its largest, per quantity. `motion` says how
 /// large everything gets.
@@ -44,15 +154,26 @@ pub(super) fn rounding_growth(
     motion: &[Snapshot],
     plan: &Plan,
 ) -> [Reading; 6] {
-    let undisturbed = contestant.run(system, Form::Least, plan);
-    let mut grown = [Reading { end: 0.0, max: 0.0 }; 6];
+    let own = contestant.run(system, Form::Least, plan).states;
+    growth_beside(contestant, system, motion, plan, &own)
+}
+
+/// The same beside a run that there is.
+fn growth_beside(
+    contestant: &Contestant,
+    system: &System,
+    motion: &[Snapshot],
+    plan: &Plan,
+    own: &[Snapshot],
+) -> [Reading; 6] {
+    let mut grown = [NOTHING; 6];
     for displacement in DISPLACEMENTS {
-        grown = [Reading { end: 0.0, max: 0.0 }; 6];
+        grown = [NOTHING; 6];
         let mut largest: f64 = 0.0;
         for direction in 0..DIRECTIONS {
             let displaced = displaced(system, motion, direction, displacement);
             let moved = contestant.run(&displaced, Form::Least, plan);
-            let by = apart(system, &moved.states, &undisturbed.states);
+            let by = apart(system, &moved.states, own);
             largest = largest.max(by[2].max).max(by[0].max / reach(system, motion));
             for (reading, by) in grown.iter_mut().zip(by) {
                 reading.end = reading.end.max(by.end / displacement);
@@ -78,22 +199,45 @@ fn displaced(system: &System, motion: &[Snapshot], direction: usize, displacemen
     let along =
         |scale: f64, shift: usize| directions[(direction + shift) % DIRECTIONS] * (scale * displacement);
     let largest = |value: fn(&Snapshot) -> f64| motion.iter().map(value).fold(0.0, f64::max);
+    // Forces that read the velocities of points round off as those do, though the centre of mass stand still.
+    let of_points = system.forces.read_velocity();
+    let fastest = largest(|s| rotation::length(&s.angular_velocity)) * system.body.extent();
+    let velocity = largest(|s| s.velocity.amax()).max(if of_points { fastest } else { 0.0 });
     let change = Start {
         position: along(reach(system, motion), 1),
-        velocity: along(largest(|s| s.velocity.amax()), 2),
+        velocity: along(velocity, 2),
         angular_momentum: along(largest(|s| s.angular_momentum.amax()), 1),
         orientation: system.start.orientation,
     };
     system.displaced(&along(1.0, 0), &change)
 }
 
-/// What the roundings of `steps` steps over `turned` radians add up to, relative, for each quantity.
+/// What the roundings of `steps` steps over `turned` radians add up to, relative, for each quantity. In a steady spin the part of
+/// L across its axis is one more of them: the start is as steady as its numbers.
 pub(super) fn roundings(system: &System, steps: u64, turned: f64) -> [f64; 6] {
     let steps = steps as f64;
     let add = |alike: bool| f64::EPSILON * (if alike { steps } else { steps.sqrt() } + 0.5 * turned);
     let (constant_force, _) = system.constant_force();
-    let (translation, rotation) = (add(constant_force), add(system.steady_spin()));
+    let steady = system.steady_spin();
+    let across = if steady { across_the_axis(system) } else { 0.0 };
+    let (translation, rotation) = (add(constant_force), add(steady) + across);
     [translation, translation, rotation, rotation, rotation, translation.max(rotation)]
+}
+
+/// Part of L across the principal axis that it is nearest to, over |L|; along axes of the same moment is not across.
+fn across_the_axis(system: &System) -> f64 {
+    let (body, start) = (&system.body, &system.start);
+    let momentum = (start.orientation * body.principal).inverse_transform_vector(&start.angular_momentum);
+    let length = rotation::length(&momentum);
+    if body.shape != Shape::Extended || length == 0.0 {
+        return 0.0;
+    }
+    let moment = body.moments[momentum.iamax()];
+    let across = Vector3::from_fn(|axis, _| {
+        let other = (body.moments[axis] - moment).abs() > ONE_MOMENT * moment;
+        if other { momentum[axis] } else { 0.0 }
+    });
+    rotation::length(&across) / length
 }
 
 /// The larger of the reference's uncertainty and what roundings become.

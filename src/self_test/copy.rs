@@ -1,6 +1,7 @@
 //! A copy of Peskin's scheme on mass points, written from the note in plain loops, with one place for each
 //! flaw. It shares no code with the scheme under test but the force laws.
 
+use super::flaw::Flaw;
 use crate::model::forces::{Arms, Cloud, Load};
 use crate::model::{Broken, Snapshot, System};
 use crate::rotation;
@@ -9,120 +10,6 @@ use crate::simulate::{Contestant, Form, Outcome, Plan};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 type V3 = Vector3<f64>;
-
-/// What is wrong with the copy.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Flaw {
-    None,
-    Step5FromHalfPoints,
-    HalfAngleIn5,
-    SpinOfStartIn5,
-    HalfSpinFromStartInertia,
-    HalfSpinFromStartMomentum,
-    TorqueOfStartIn8,
-    Step4WithFullStep,
-    MomentumRenormalised,
-    ForceOfStartIn7,
-    ForceNotOverMass,
-    VelocityOfStartIn6,
-    ArmFromWorldOrigin,
-    VelocityWithoutSpin,
-    VelocityWithWrongSign,
-    InertiaWithWrongSign,
-    InertiaFrozen,
-    MassAsNumberOfPoints,
-    RotationTransposed,
-    Cayley,
-    SineOfAngle,
-    RotationToSecondOrder,
-    IdentityBelowAThousandth,
-    AngleModuloPi,
-    AngleClamped,
-    TrapezoidIn6,
-    HeunCorrector,
-    EnergyProjection,
-    TorqueDropped,
-    TorqueOfWrongSign,
-    HalfStageForcesAtStart,
-    HalfStageForcesAtEnd,
-    LastStepDropped,
-    HalfStageWithFullAngle,
-    PositionTwice,
-    FirstStepTwice,
-    PositionHalfWithFullStep,
-    VelocityHalfWithFullStep,
-    NoRotationInHalfStage,
-    SpinReversed,
-    HalfStepIn7,
-    HalfStepIn8,
-    DiagonalInertia,
-    OneMassLeftOut,
-    EqualMasses,
-    StaleLever,
-    ClockOneStepLate,
-    StepALittleLong,
-    SinglePrecisionArms,
-    SinglePrecisionAngle,
-    DriftWithNewVelocity,
-    SpinKeptForTwoSteps,
-}
-
-impl Flaw {
-    /// Every flaw but none.
-    pub(super) const ALL: [Flaw; 51] = [
-        Flaw::Step5FromHalfPoints,
-        Flaw::HalfAngleIn5,
-        Flaw::SpinOfStartIn5,
-        Flaw::HalfSpinFromStartInertia,
-        Flaw::HalfSpinFromStartMomentum,
-        Flaw::TorqueOfStartIn8,
-        Flaw::Step4WithFullStep,
-        Flaw::MomentumRenormalised,
-        Flaw::ForceOfStartIn7,
-        Flaw::ForceNotOverMass,
-        Flaw::VelocityOfStartIn6,
-        Flaw::ArmFromWorldOrigin,
-        Flaw::VelocityWithoutSpin,
-        Flaw::VelocityWithWrongSign,
-        Flaw::InertiaWithWrongSign,
-        Flaw::InertiaFrozen,
-        Flaw::MassAsNumberOfPoints,
-        Flaw::RotationTransposed,
-        Flaw::Cayley,
-        Flaw::SineOfAngle,
-        Flaw::RotationToSecondOrder,
-        Flaw::IdentityBelowAThousandth,
-        Flaw::AngleModuloPi,
-        Flaw::AngleClamped,
-        Flaw::TrapezoidIn6,
-        Flaw::HeunCorrector,
-        Flaw::EnergyProjection,
-        Flaw::TorqueDropped,
-        Flaw::TorqueOfWrongSign,
-        Flaw::HalfStageForcesAtStart,
-        Flaw::HalfStageForcesAtEnd,
-        Flaw::LastStepDropped,
-        Flaw::HalfStageWithFullAngle,
-        Flaw::PositionTwice,
-        Flaw::FirstStepTwice,
-        Flaw::PositionHalfWithFullStep,
-        Flaw::VelocityHalfWithFullStep,
-        Flaw::NoRotationInHalfStage,
-        Flaw::SpinReversed,
-        Flaw::HalfStepIn7,
-        Flaw::HalfStepIn8,
-        Flaw::DiagonalInertia,
-        Flaw::OneMassLeftOut,
-        Flaw::EqualMasses,
-        Flaw::StaleLever,
-        Flaw::ClockOneStepLate,
-        Flaw::StepALittleLong,
-        Flaw::SinglePrecisionArms,
-        Flaw::SinglePrecisionAngle,
-        Flaw::DriftWithNewVelocity,
-        Flaw::SpinKeptForTwoSteps,
-    ];
-}
 
 #[derive(Clone)]
 struct State {

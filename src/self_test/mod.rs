@@ -5,30 +5,28 @@
 //! it.
 
 mod copy;
+mod flaw;
+pub mod judges;
 pub mod ladders;
 mod measured;
+mod mistaken;
 pub mod noise;
 mod planted;
+pub mod power;
+mod promised;
 pub mod random;
+mod trial;
 
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
-use crate::campaign::Campaign;
-use crate::claim::Claim;
-use crate::gates::{self, Baseline, Case};
 use crate::interrupt;
-use crate::metrics;
-use crate::model::System;
 use crate::record::{Ruling, Verdict};
-use crate::reference::{Reference, stored};
-use crate::scenes::Scene;
-use crate::schemes::{Card, PeskinRk2, Scheme};
-use crate::simulate::Contestant;
-use copy::Flaw;
+use flaw::Flaw;
 use planted::Plant;
+use trial::{judge, verdicts};
 
 /// Scenes in which the flaws of the scheme show, those that catch most first.
 const SCENES: [&str; 9] = [
@@ -45,8 +43,6 @@ const SCENES: [&str; 9] = [
 
 /// Gates that are enough for a defect.
 const ENOUGH: usize = 2;
-/// Samples of a reference.
-const SAMPLES: usize = 64;
 
 /// A defect, and what became of it.
 #[derive(Clone, Debug)]
@@ -103,8 +99,8 @@ fn defects() -> Vec<Defect> {
         ("law", planted::LAWS),
         ("start", planted::STARTS),
         ("shown", planted::SHOWN),
-        ("claim", planted::CLAIMS),
-        ("reference", planted::REFERENCES),
+        ("claim", promised::CLAIMS),
+        ("reference", mistaken::REFERENCES),
         ("metric", measured::METRICS),
     ];
     let others = others.into_iter().flat_map(|(place, rows)| {
@@ -135,7 +131,7 @@ pub fn run(progress: &(dyn Fn(usize, usize) + Sync)) -> Findings {
     let defects = defects();
     let done = AtomicUsize::new(0);
     let tick = || progress(done.fetch_add(1, Ordering::Relaxed) + 1, defects.len() + 1);
-    let judges = ladders::WRONG_JUDGES.iter().map(told_judge);
+    let judges = judges::WRONG_JUDGES.iter().map(told_judge);
     let held_against_the_copy = held_against_the_copy();
     tick();
     let outcomes = defects
@@ -152,7 +148,7 @@ pub fn run(progress: &(dyn Fn(usize, usize) + Sync)) -> Findings {
 }
 
 /// A wrong judge is caught by the made-up ladders on which it says something else than the right one.
-fn told_judge(judge: &ladders::WrongJudge) -> Outcome {
+fn told_judge(judge: &judges::WrongJudge) -> Outcome {
     Outcome {
         name: format!("judge that {}", judge.name),
         place: "judge",
@@ -204,92 +200,6 @@ fn look_for(defect: &Defect) -> Outcome {
         }
     }
     outcome
-}
-
-fn verdicts(plant: &Plant, scene: &str) -> Vec<Verdict> {
-    match *plant {
-        Plant::Scheme(flaw) => judge(copy::contestant(flaw), scene),
-        Plant::Law(change) => judge(bent(move |system| planted::under(system, change), |_, _| ()), scene),
-        Plant::Start(change) => {
-            let other = move |system: &System| {
-                let mut other = system.clone();
-                change(&mut other);
-                other
-            };
-            judge(bent(other, |_, _| ()), scene)
-        }
-        Plant::Shown(change) => judge(bent(System::clone, change), scene),
-        Plant::Claims(name, claims) => judge(claiming(name, claims), scene),
-        Plant::Reference(change) => judge_against(change, None, scene),
-        Plant::Metric(measure) => judge_against(|_| (), Some(measure), scene),
-    }
-}
-
-/// The scheme on another system than it is judged in, or showing another state than it has.
-fn bent(
-    other: impl Fn(&System) -> System + Send + Sync + 'static,
-    shown: fn(&mut crate::model::Snapshot, &System),
-) -> Contestant {
-    let scheme = Contestant::new::<PeskinRk2>();
-    Contestant::foreign(PeskinRk2::CARD, move |system, form, plan, store| {
-        let other = other(system);
-        scheme.stream(&other, form, plan, &mut |snapshot| {
-            let mut bent = *snapshot;
-            shown(&mut bent, system);
-            store(&bent);
-        })
-    })
-}
-
-/// A scheme with these claims in place of its own, and a name that no known deviation and no constant on record knows.
-fn claiming(name: &str, claims: &'static [Claim]) -> Contestant {
-    let all = Contestant::all();
-    let mut scheme =
-        all.into_iter().find(|c| c.card.name == name).unwrap_or_else(Contestant::new::<PeskinRk2>);
-    scheme.card = Card { name: "claimant", claims, ..scheme.card };
-    scheme
-}
-
-fn judge(contestant: Contestant, scene: &str) -> Vec<Verdict> {
-    let Ok(scene) = Scene::find(scene) else { return Vec::new() };
-    let campaign = Campaign {
-        scenes: vec![scene],
-        contestants: vec![contestant],
-        baseline: Baseline::built_in(),
-        series: false,
-        progress: &|_, _| (),
-    };
-    campaign.run().verdicts
-}
-
-/// The scheme against a reference that is wrong, or with errors that are measured wrongly.
-fn judge_against(change: fn(&mut Reference), measure: Option<planted::Measure>, scene: &str) -> Vec<Verdict> {
-    let Ok(scene) = Scene::find(scene) else { return Vec::new() };
-    let stored = stored::find(&scene.name).ok().flatten();
-    let Ok(mut reference) = Reference::of(&scene.system, scene.duration, SAMPLES, stored.as_ref()) else {
-        return Vec::new();
-    };
-    change(&mut reference);
-    let contestant = Contestant::new::<PeskinRk2>();
-    let mut evidence = metrics::climb(&contestant, &scene.system, &reference, 2, true);
-    if let Some(measure) = measure {
-        evidence = measured::mismeasured(&contestant, &scene.system, &reference, 2, evidence, measure);
-    }
-    gates::judge(&Case {
-        scene: &scene.name,
-        not_for_order: scene.not_for_order.as_deref(),
-        system: &scene.system,
-        card: &contestant.card,
-        evidence: &evidence,
-        drift: None,
-        points: None,
-        flips: None,
-        reversal: None,
-        symplecticity: None,
-        other_worlds: &[],
-        baseline: &Baseline::built_in(),
-        step_limit: None,
-    })
 }
 
 #[cfg(test)]

@@ -1,9 +1,9 @@
-//! Defects outside the scheme: in the force laws, at the start of a run, in what a run shows, in the reference, and in what is
-//! claimed. A right scheme runs; everything around it is bent.
+//! Defects outside the scheme: in the force laws, at the start of a run, and in what a run shows. A right scheme runs; everything
+//! around it is bent.
 
 use nalgebra::Vector3;
 
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
+use crate::claim::Claim;
 use crate::metrics::Reading;
 use crate::model::forces::{Forces, Law, TorqueAxes};
 use crate::model::{Snapshot, System};
@@ -14,7 +14,7 @@ use crate::rotation;
 #[derive(Clone, Copy)]
 pub(super) enum Plant {
     /// A flaw of the copy of the scheme.
-    Scheme(super::copy::Flaw),
+    Scheme(super::flaw::Flaw),
     /// The scheme runs under other laws than those that it is judged in.
     Law(fn(&mut Law)),
     /// It starts elsewhere.
@@ -38,7 +38,7 @@ pub(super) type Row = (&'static str, Plant, &'static [&'static str]);
 const SPRINGS: &[&str] = &["tether-springs", "lagrange-top-pivot-spring"];
 const FIELDS: &[&str] = &["charged-body-in-fields", "time-dependent-field"];
 const FALL: &[&str] = &["gravity-drag", "kovalevskaya"];
-const FREE: &[&str] = &["free-asymmetric", "tether-springs"];
+pub(super) const FREE: &[&str] = &["free-asymmetric", "tether-springs"];
 
 /// Laws that are not those of the scene.
 pub(super) const LAWS: &[Row] = &[
@@ -152,114 +152,6 @@ pub(super) const SHOWN: &[Row] = &[
     ("an infinite angular velocity", Plant::Shown(|s, _| s.angular_velocity.z = f64::INFINITY), FREE),
     ("kinetic for angular velocity: twice too large", Plant::Shown(|s, _| s.angular_velocity *= 2.0), FREE),
     ("time of the step before", Plant::Shown(a_step_late), FREE),
-];
-
-/// Claims that are not kept.
-pub(super) const CLAIMS: &[Row] = &[
-    ("first order claimed for the second", Plant::Claims("peskin-rk2", &[Claim::Order(1)]), FREE),
-    ("third order claimed for the second", Plant::Claims("peskin-rk2", &[Claim::Order(3)]), FREE),
-    ("second order claimed for the first", Plant::Claims("euler", &[Claim::Order(2)]), FREE),
-    ("fourth order claimed for the third", Plant::Claims("peskin-rk3", &[Claim::Order(4)]), FREE),
-    ("first order claimed for none", Plant::Claims("semi-implicit-euler-no-gyro", &[Claim::Order(1)]), FREE),
-    (
-        "order without torque claimed too high",
-        Plant::Claims("peskin-rk2", &[Claim::Order(2), Claim::OrderWithoutTorque(4)]),
-        &["free-asymmetric"],
-    ),
-    (
-        "orientation claimed exact without torque",
-        Plant::Claims("peskin-rk2", &[Claim::Order(2), Claim::Exact(Quantity::Orientation, When::NoTorque)]),
-        &["free-asymmetric"],
-    ),
-    (
-        "position claimed exact under a constant force",
-        Plant::Claims("euler", &[Claim::Order(1), Claim::Exact(Quantity::Position, When::ConstantForce)]),
-        &["osrf-boxes-complex", "nasa-check-case-2"],
-    ),
-    (
-        "angular momentum claimed exact by a rule that loses it",
-        Plant::Claims(
-            "semi-implicit-euler-no-gyro",
-            &[Claim::Exact(Quantity::AngularMomentum, When::NoTorque)],
-        ),
-        &["free-asymmetric"],
-    ),
-    (
-        "rate of the energy claimed of second order",
-        Plant::Claims("peskin-rk2", &[Claim::Energy(EnergyOfFreeBody::GrowsSecularly { rate_order: 2 })]),
-        &["free-asymmetric"],
-    ),
-    (
-        "energy claimed bounded",
-        Plant::Claims("peskin-rk2", &[Claim::Energy(EnergyOfFreeBody::Bounded)]),
-        &["free-asymmetric"],
-    ),
-    (
-        "energy claimed constant",
-        Plant::Claims("strang-rotations", &[Claim::Energy(EnergyOfFreeBody::Constant)]),
-        &["free-asymmetric"],
-    ),
-    (
-        "energy claimed to fall",
-        Plant::Claims("peskin-rk2", &[Claim::Energy(EnergyOfFreeBody::Falls)]),
-        &["free-asymmetric"],
-    ),
-    (
-        "one evaluation claimed for two",
-        Plant::Claims("peskin-rk2", &[Claim::Order(2), Claim::Evaluations(1)]),
-        FREE,
-    ),
-    (
-        "three evaluations claimed for two",
-        Plant::Claims("peskin-rk2", &[Claim::Order(2), Claim::Evaluations(3)]),
-        FREE,
-    ),
-    (
-        "an implicit equation claimed for none",
-        Plant::Claims("peskin-rk2", &[Claim::Order(2), Claim::Solves(1)]),
-        FREE,
-    ),
-    ("claimed reversible", Plant::Claims("peskin-rk2", &[Claim::Order(2), Claim::Reversible]), FREE),
-    ("claimed symplectic", Plant::Claims("implicit-midpoint", &[Claim::Order(2), Claim::Symplectic]), FREE),
-    ("claimed rigid without being so", Plant::Claims("rk2-linear", &[Claim::Order(2), Claim::Rigid]), FREE),
-    (
-        "vertical momentum claimed constant",
-        Plant::Claims("implicit-midpoint", &[Claim::Order(2), Claim::VerticalMomentum]),
-        &["heavy-asymmetric-top", "kovalevskaya"],
-    ),
-    (
-        "flip times claimed of a rule that does not flip",
-        Plant::Claims("semi-implicit-euler-no-gyro", &[Claim::Order(1), Claim::FlipTimes]),
-        &["dzhanibekov", "mujoco-middle-axis"],
-    ),
-];
-
-/// References that are another motion.
-pub(super) const REFERENCES: &[Row] = &[
-    (
-        "reference with its rotations transposed",
-        Plant::Reference(|r| states(r, |s| s.orientation = s.orientation.inverse())),
-        FREE,
-    ),
-    ("reference of another end time", Plant::Reference(shifted_samples), FREE),
-    (
-        "reference with angular velocities in body axes",
-        Plant::Reference(|r| {
-            states(r, |s| s.angular_velocity = s.orientation.inverse_transform_vector(&s.angular_velocity))
-        }),
-        FREE,
-    ),
-    (
-        "reference good to six digits, told as exact",
-        Plant::Reference(|r| states(r, |s| s.angular_momentum *= 1.0 + 1e-6)),
-        FREE,
-    ),
-    (
-        "reference without its motion of the centre",
-        Plant::Reference(|r| states(r, |s| s.position = Vector3::zeros())),
-        &["tether-springs"],
-    ),
-    ("last sample of the reference left out", Plant::Reference(last_twice), FREE),
 ];
 
 fn spring(law: &mut Law, change: fn(&mut crate::model::forces::Spring)) {
@@ -381,23 +273,4 @@ fn single(shown: &mut Snapshot, _: &System) {
 fn a_step_late(shown: &mut Snapshot, _: &System) {
     shown.orientation = rotation::turn(&(shown.angular_velocity * -0.01)) * shown.orientation;
     shown.position -= shown.velocity * 0.01;
-}
-
-fn states(reference: &mut Reference, change: fn(&mut Snapshot)) {
-    reference.states.iter_mut().for_each(change);
-}
-
-/// Every sample is the next one's.
-fn shifted_samples(reference: &mut Reference) {
-    let times: Vec<f64> = reference.times.clone();
-    reference.states.rotate_left(1);
-    for (state, time) in reference.states.iter_mut().zip(times) {
-        state.time = time;
-    }
-}
-
-fn last_twice(reference: &mut Reference) {
-    if let [.., before, last] = &mut reference.states[..] {
-        *last = Snapshot { time: last.time, ..*before };
-    }
 }

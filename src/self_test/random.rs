@@ -49,7 +49,7 @@ pub struct Tally {
 }
 
 impl Tally {
-    fn count(&mut self, ruling: Ruling) {
+    pub(super) fn count(&mut self, ruling: Ruling) {
         match ruling {
             Ruling::Pass => self.pass += 1,
             Ruling::Fail => self.fail += 1,
@@ -127,7 +127,8 @@ impl Findings {
     }
 }
 
-fn weight(ruling: Ruling) -> u8 {
+/// How bad a ruling is.
+pub(super) fn weight(ruling: Ruling) -> u8 {
     match ruling {
         Ruling::NotApplicable => 0,
         Ruling::Pass => 1,
@@ -138,7 +139,7 @@ fn weight(ruling: Ruling) -> u8 {
 }
 
 /// Why a verdict is undecided, without the numbers.
-fn cause(verdict: &Verdict) -> String {
+pub(super) fn cause(verdict: &Verdict) -> String {
     let is_number = |word: &str| word.contains(|letter: char| letter.is_ascii_digit());
     let mut words: Vec<&str> = Vec::new();
     for word in verdict.detail.split_whitespace().map(|word| if is_number(word) { "#" } else { word }) {

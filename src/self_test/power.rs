@@ -1,0 +1,152 @@
+//! Wrong orders in random scenes: the other side of a false alarm. A gate that never fails anybody would hold nothing against a
+//! correct scheme either; how often it fails one whose order is not what it says is its power.
+
+use std::collections::BTreeMap;
+
+use rayon::prelude::*;
+
+use super::random::{Tally, cause, weight};
+use crate::campaign::Campaign;
+use crate::claim::Claim;
+use crate::gates::Baseline;
+use crate::interrupt;
+use crate::model::{Broken, Model};
+use crate::record::{Ruling, Verdict};
+use crate::scenes::random;
+use crate::schemes::{Card, Scheme, Workspace};
+use crate::simulate::Contestant;
+
+/// A scheme of the list, and an order that it does not have.
+struct Misdeclared {
+    name: &'static str,
+    scheme: &'static str,
+    claims: &'static [Claim],
+}
+
+macro_rules! misdeclared {
+    ($($scheme:literal: $($order:literal),*;)*) => {
+        &[$($(Misdeclared {
+            name: concat!($scheme, ", claimed ", $order),
+            scheme: $scheme,
+            claims: &[Claim::Order($order)],
+        }),*),*]
+    };
+}
+
+const MISDECLARED: &[Misdeclared] = misdeclared! {
+    "peskin-rk2": 1, 3;
+    "euler": 2;
+    "rk4-quaternion": 3, 5;
+    "rkmk4": 3, 5;
+    "strang-rotations": 1, 3;
+    "implicit-midpoint": 1, 3;
+    "adams-bashforth-2": 1, 3;
+};
+
+/// Peskin's scheme whose second stage takes so many per cent of its rates from the start: first order, under a second-order part
+/// that is the larger one at large steps.
+struct Contaminated<const PERCENT: u8>;
+
+impl<const PERCENT: u8> Scheme for Contaminated<PERCENT> {
+    const CARD: Card = Card {
+        name: if PERCENT == 1 { "1 % of Euler in peskin-rk2" } else { "10 % of Euler in peskin-rk2" },
+        title: "Peskin's scheme with a part of Euler's",
+        family: "test",
+        source: "none",
+        claims: &[Claim::Order(2)],
+    };
+    const STATES: usize = 1;
+
+    fn step<M: Model>(
+        model: &M,
+        t: f64,
+        h: f64,
+        from: &M::State,
+        to: &mut M::State,
+        work: &mut Workspace<M>,
+    ) -> Result<(), Broken> {
+        let half = &mut work.states[0];
+        let k0 = model.rates(t, from)?;
+        model.advance(from, h / 2.0, &k0, half);
+        let k1 = model.rates(t + h / 2.0, half)?;
+        let part = f64::from(PERCENT) / 100.0;
+        model.advance(from, h, &(k1 * (1.0 - part) + k0 * part), to);
+        Ok(())
+    }
+}
+
+/// What the order gate said of one wrong order.
+#[derive(Clone, Debug, Default)]
+pub struct Row {
+    /// The scheme and what is wrong.
+    pub name: &'static str,
+    /// Scenes, by the worst verdict on the order in each.
+    pub scenes: Tally,
+    /// Verdicts on single quantities.
+    pub quantities: Tally,
+    /// Numbers of the scenes that pass.
+    pub passed: Vec<u64>,
+    /// How often each reason left a quantity undecided.
+    pub causes: BTreeMap<String, usize>,
+}
+
+impl Row {
+    /// The part of the scenes with an order to measure in which the gate fails.
+    pub fn power(&self) -> f64 {
+        let judged = self.scenes.all() - self.scenes.not_applicable;
+        self.scenes.fail as f64 / judged.max(1) as f64
+    }
+}
+
+fn contestants() -> Vec<Contestant> {
+    let all = Contestant::all();
+    let claiming = |wrong: &Misdeclared| {
+        let mut scheme = all.iter().find(|c| c.card.name == wrong.scheme)?.clone();
+        scheme.card = Card { name: wrong.name, claims: wrong.claims, ..scheme.card };
+        Some(scheme)
+    };
+    let contaminated = [Contestant::new::<Contaminated<1>>(), Contestant::new::<Contaminated<10>>()];
+    MISDECLARED.iter().filter_map(claiming).chain(contaminated).collect()
+}
+
+/// Judges wrong orders in the first `count` random scenes of a seed.
+pub fn run(seed: u64, count: u64) -> Vec<Row> {
+    let contestants = contestants();
+    let judged: Vec<(u64, Vec<Verdict>)> = (0..count)
+        .into_par_iter()
+        .filter(|_| !interrupt::requested())
+        .filter_map(|number| Some((number, random::scene(seed, number).ok()?)))
+        .map(|(number, scene)| {
+            let campaign = Campaign {
+                scenes: vec![scene],
+                contestants: contestants.clone(),
+                baseline: Baseline::default(),
+                series: false,
+                progress: &|_, _| (),
+            };
+            (number, campaign.run().verdicts)
+        })
+        .collect();
+    contestants.iter().map(|contestant| row(contestant.card.name, &judged)).collect()
+}
+
+fn row(name: &'static str, judged: &[(u64, Vec<Verdict>)]) -> Row {
+    let mut row = Row { name, ..Row::default() };
+    for (number, verdicts) in judged {
+        let mut worst = Ruling::NotApplicable;
+        for verdict in verdicts.iter().filter(|v| v.scheme == name && v.claim == "order") {
+            row.quantities.count(verdict.verdict);
+            if verdict.verdict == Ruling::Inconclusive {
+                *row.causes.entry(cause(verdict)).or_default() += 1;
+            }
+            if weight(verdict.verdict) > weight(worst) {
+                worst = verdict.verdict;
+            }
+        }
+        row.scenes.count(worst);
+        if worst == Ruling::Pass {
+            row.passed.push(*number);
+        }
+    }
+    row
+}
