@@ -47,22 +47,24 @@ fn judge_convergence(case: &Case, flips: &Flips) -> Verdict {
     let (step, error, floor) = ladder[ladder.len() - 1];
     let least = f64::from(case.card.order()) - BAND;
     let known = error <= CLEAR * floor;
-    let (verdict, words) = match regression::find_window(&ladder) {
-        Ladder::Window { fit, .. } if fit.low >= least => (Ruling::Pass, slope(&fit)),
-        Ladder::Window { fit, .. } if fit.high < least => (Ruling::Fail, slope(&fit)),
+    let fit = match regression::find_window(&ladder) {
+        Ladder::Window { fit, .. } => Some(fit),
+        _ => None,
+    };
+    let (verdict, words) = match fit {
+        Some(fit) if fit.low >= least => (Ruling::Pass, slope(&fit)),
+        Some(fit) if fit.high < least => (Ruling::Fail, slope(&fit)),
         // Whatever the slopes are, the times have come to the exact ones.
         _ if known => (Ruling::Pass, "at its floor".to_owned()),
-        Ladder::Window { fit, .. } => (Ruling::Inconclusive, slope(&fit)),
+        Some(fit) => (Ruling::Inconclusive, slope(&fit)),
         // Faster than claimed is claimed too, whether or not the slopes agree.
-        _ => {
+        None => {
             let last = last_slopes(&ladder);
             let fast = last.len() == FEWEST_SLOPES && last.iter().all(|slope| *slope >= least);
             let words = format!("slopes {last:.2?}, which do not agree to 0.15");
             (if fast { Ruling::Pass } else { Ruling::Inconclusive }, words)
         }
     };
-    let fit =
-        if let Ladder::Window { fit, .. } = regression::find_window(&ladder) { Some(fit) } else { None };
     Verdict {
         measured: fit.map(|fit| fit.slope),
         low: fit.map(|fit| fit.low),

@@ -8,7 +8,7 @@ use polhode::record::{Order, Records};
 use polhode::regression::{Fit, Ladder};
 use polhode::scenes::Scene;
 
-use super::case::{FLOOR, Made, broken, numbers};
+use super::case::{FLOOR, Made, broken, index, numbers};
 
 const SECOND: &[Claim] = &[Claim::Order(2)];
 
@@ -107,6 +107,13 @@ fn ladders_without_a_slope_say_why() {
 #[test]
 fn a_broken_ladder_says_what_broke() {
     let mut made = Made::new("free-asymmetric", SECOND).with_errors(Quantity::Position, &[f64::NAN; 6], 0.0);
+    // Runs that differ from one another by numbers are whole: it is the reference that has none.
+    let verdict = made.verdict("order", "position-end");
+    assert!(
+        verdict.verdict == Inconclusive && verdict.detail.contains("reference is not finite"),
+        "{verdict:?}"
+    );
+    made.evidence.rungs[5].moved[index(Quantity::Position)].end = f64::NAN;
     let verdict = made.verdict("order", "position-end");
     assert!(verdict.verdict == Broken && verdict.detail.contains("no finite error"), "{verdict:?}");
     made.evidence.rungs[5] = broken(made.evidence.rungs[5].clone());
