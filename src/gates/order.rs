@@ -33,24 +33,33 @@ pub(super) fn judge(case: &Case, order: u32) -> Vec<Verdict> {
 
 /// A slope above the band says that the claimed order is too low, or that its term is too small to be seen in one quantity of one
 /// scene. Where another quantity of the same runs shows that order, its interval reaching into the band or its term under the next, it
-/// is not too low; and where another has not settled, the runs as a whole have not come to their asymptotic range: undecided.
+/// is not too low; and where another has not settled, or still moves between two whole orders, the runs as a whole have not come to
+/// their asymptotic range: undecided. So is a slope below the band where half of the quantities have not settled.
 fn excuse_easy_quantities(case: &Case, order: u32, verdicts: &mut [Verdict]) {
     let (bottom, top) = (f64::from(order) - BAND, f64::from(order) + BAND);
     let shows = |ladder: &QuantityLadder| {
         ladder.fit().is_some_and(|fit| fit.low <= top && fit.high >= bottom) || ladder.is_on_its_way(order)
     };
     let ladders = &case.evidence.ladders;
-    let excuse = if ladders.iter().any(shows) {
-        "; other quantities of the same runs show the claimed order"
-    } else if ladders.iter().any(|ladder| ladder.ladder == Ladder::Unsettled) {
-        "; other quantities of the same runs have not settled"
-    } else {
-        return;
+    let unsettled = |ladder: &&QuantityLadder| ladder.ladder == Ladder::Unsettled;
+    let moves = |ladder: &QuantityLadder| {
+        ladder.fit().is_some_and(|fit| fit.low > top && (between_orders(&fit) || falls_away(ladder)))
     };
-    let above = |v: &Verdict| v.claim == "order" && v.low.is_some_and(|low| low > top);
-    for verdict in verdicts.iter_mut().filter(|v| v.verdict == Ruling::Fail && above(v)) {
-        verdict.verdict = Ruling::Inconclusive;
-        verdict.detail += excuse;
+    let excuse_above = if ladders.iter().any(shows) {
+        Some("; other quantities of the same runs show the claimed order")
+    } else if ladders.iter().any(|ladder| unsettled(&ladder) || moves(ladder)) {
+        Some("; other quantities of the same runs have not settled")
+    } else {
+        None
+    };
+    let open = 2 * ladders.iter().filter(unsettled).count() >= ladders.len();
+    let excuse_below = open.then_some("; half of the quantities of the same runs have not settled");
+    for verdict in verdicts.iter_mut().filter(|v| v.claim == "order" && v.verdict == Ruling::Fail) {
+        let above = verdict.low.is_some_and(|low| low > top);
+        if let Some(excuse) = if above { excuse_above } else { excuse_below } {
+            verdict.verdict = Ruling::Inconclusive;
+            verdict.detail += excuse;
+        }
     }
 }
 
@@ -164,7 +173,7 @@ fn rule_on_fit(ladder: &QuantityLadder, order: u32, fit: &Fit, rungs: usize) -> 
         (Ruling::Pass, "inside")
     } else if outside && ladder.is_on_its_way(order) {
         (Ruling::Inconclusive, "a term of the claimed order is there, still under the next one:")
-    } else if fit.low > top && between_orders(fit) {
+    } else if fit.low > top && (between_orders(fit) || falls_away(ladder)) {
         (Ruling::Inconclusive, "above the band, at no whole order and not at rest:")
     } else if fit.low > top {
         (Ruling::Fail, "above the band (too easy a scene, or mis-declared):")
@@ -186,6 +195,18 @@ fn between_orders(fit: &Fit) -> bool {
     let below = fit.low.floor();
     let between = fit.low > below + BAND && fit.high < below + 1.0 - BAND;
     between && fit.high - fit.low > 2.0 * STANDS
+}
+
+/// Whether the slopes of the window fall, each below the last, away from a whole order that the interval is near and does not reach: a
+/// term that led gives way to one of lower order. (Nearer to the order below, they may as well be about to come to rest there.)
+fn falls_away(ladder: &QuantityLadder) -> bool {
+    let Ladder::Window { rungs, fit } = &ladder.ladder else { return false };
+    let window = &ladder.rungs[rungs.clone()];
+    let slopes: Vec<f64> =
+        window.windows(2).map(|w| (w[0].1 / w[1].1).ln() / (w[0].0 / w[1].0).ln()).collect();
+    let falls = slopes.windows(2).all(|pair| pair[1] < pair[0]);
+    let (first, last) = (slopes[0], slopes[slopes.len() - 1]);
+    falls && first - last > 2.0 * STANDS && fit.low - fit.high.floor() > 0.5
 }
 
 /// A constant on record and none measured: undecided, but where an error is below its floor that the record makes a thousand times

@@ -240,7 +240,23 @@ fn across_the_axis(system: &System) -> f64 {
     rotation::length(&across) / length
 }
 
-/// The larger of the reference's uncertainty and what roundings become.
+/// A rounding unit of the largest that each quantity is over the run. Of what has come to rest nothing finer can be asked: an
+/// implicit equation, for one, is solved to a part of the state that it is solved in.
+fn units(system: &System, reference: &Reference) -> [f64; 6] {
+    let largest = |value: fn(&Snapshot) -> f64| reference.states.iter().map(value).fold(0.0, super::larger);
+    let position = largest(|s| rotation::length(&s.position));
+    let sizes = [
+        position,
+        largest(|s| rotation::length(&s.velocity)),
+        1.0,
+        largest(|s| rotation::length(&s.angular_velocity)),
+        largest(|s| rotation::length(&s.angular_momentum)),
+        position + system.body.extent(),
+    ];
+    sizes.map(|size| if size.is_finite() { f64::EPSILON * size } else { 0.0 })
+}
+
+/// The largest of the reference's uncertainty, what roundings become, and a rounding unit.
 ///
 /// A body point is off by no more than the centre of mass and the body's size times the angle, and the two may have very different
 /// roundings.
@@ -258,11 +274,12 @@ pub(super) fn floors(
         of_parts.min(place(&growth[5]) * roundings[5]) / roundings[5]
     };
     floors[5] = Reading { end: of_point(|reading| reading.end), max: of_point(|reading| reading.max) };
+    let units = units(system, reference);
     for (index, floor) in floors.iter_mut().enumerate() {
         let largest = reference.uncertainty.iter().map(|u| u[index]).fold(0.0, f64::max);
         *floor = Reading {
-            end: (floor.end * roundings[index]).max(last[index]),
-            max: (floor.max * roundings[index]).max(largest),
+            end: (floor.end * roundings[index]).max(last[index]).max(units[index]),
+            max: (floor.max * roundings[index]).max(largest).max(units[index]),
         };
     }
     floors
