@@ -102,8 +102,8 @@ impl Turning for Falling {
 
     fn apart(&self, a: &Self::State, b: &Self::State) -> f64 {
         attitude_apart(&a.attitude, &b.attitude)
-            .max(relative(&a.position, &b.position))
-            .max(relative(&a.velocity, &b.velocity))
+            .max(relative(&a.position, &b.position, &self.start.position))
+            .max(relative(&a.velocity, &b.velocity, &self.start.velocity))
     }
 
     fn reads_velocity(&self) -> bool {
@@ -144,7 +144,11 @@ impl Turning for Rotor {
     fn drift(&self, _state: &mut Self::State, _s: f64) {}
 
     fn apart(&self, a: &Self::State, b: &Self::State) -> f64 {
-        attitude_apart(&a.attitude, &b.attitude).max(relative(&a.momentum, &b.momentum))
+        attitude_apart(&a.attitude, &b.attitude).max(relative(
+            &a.momentum,
+            &b.momentum,
+            &self.start.angular_momentum,
+        ))
     }
 
     fn reads_velocity(&self) -> bool {
@@ -189,9 +193,9 @@ impl Turning for Forced {
 
     fn apart(&self, a: &Self::State, b: &Self::State) -> f64 {
         attitude_apart(&a.attitude, &b.attitude)
-            .max(relative(&a.position, &b.position))
-            .max(relative(&a.velocity, &b.velocity))
-            .max(relative(&a.momentum, &b.momentum))
+            .max(relative(&a.position, &b.position, &self.start.position))
+            .max(relative(&a.velocity, &b.velocity, &self.start.velocity))
+            .max(relative(&a.momentum, &b.momentum, &self.start.angular_momentum))
     }
 
     fn reads_velocity(&self) -> bool {
@@ -204,8 +208,12 @@ fn attitude_apart(a: &Rotation, b: &Rotation) -> f64 {
     (a.as_ref() - b.as_ref()).norm()
 }
 
-/// |a − b| over the larger length; 0 where both are zero.
-fn relative(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
-    let size = length(a).max(length(b));
+/// Part of what it was at the start below which a vector counts as come to rest.
+const NEAR_REST: f64 = 1e-4;
+
+/// |a − b| over the larger length, or over that of what has come to rest where this is more: forces that cancel leave a rounding of
+/// what they were, which of a body at rest is no small part. 0 where all are zero.
+fn relative(a: &Vector3<f64>, b: &Vector3<f64>, start: &Vector3<f64>) -> f64 {
+    let size = length(a).max(length(b)).max(NEAR_REST * length(start));
     if size == 0.0 { 0.0 } else { length(&(a - b)) / size }
 }
