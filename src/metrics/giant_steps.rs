@@ -2,13 +2,16 @@
 
 use super::Reading;
 use super::ladder::Rung;
-use super::rounding::{floors, of_giant_steps, rounding_growth, roundings};
-use crate::model::{System, difference};
+use super::rounding::{SOLVED_TO, TURNS, floors, rounding_growth, roundings};
+use crate::model::{Change, Snapshot, System, difference};
 use crate::reference::Reference;
+use crate::rotation;
 use crate::simulate::{Contestant, Form, Plan, Trajectory};
 
 /// Numbers of steps, odd ones, that a whole run in steady spin is made in besides its ladder.
 const GIANT_STEPS: [u64; 4] = [1, 3, 5, 7];
+/// Relative difference of a run in a turned world from which on it is no rounding, whatever a giant step makes of it.
+const NO_ROUNDING: f64 = 1e-3;
 
 /// The whole run in a few steps, compared at its end. Steps that amplify a rounding to an angle that can be seen say nothing.
 pub(super) fn giant_steps(
@@ -27,7 +30,7 @@ pub(super) fn giant_steps(
             let apart = difference(&system.body, end, &reference.states[last]);
             errors = apart.map(|value| Reading { end: value, max: value });
         }
-        let measured = of_giant_steps(contestant, system, &plan, states.last());
+        let measured = rounding(contestant, system, &plan, states.last());
         let mut floors = floors(system, reference, &own, roundings(system, steps, turned));
         for (floor, measured) in floors.iter_mut().zip(measured) {
             *floor = Reading { end: floor.end.max(measured), max: floor.max.max(measured) };
@@ -37,4 +40,25 @@ pub(super) fn giant_steps(
         (!rung.is_open(system)).then_some(rung)
     };
     GIANT_STEPS.into_iter().filter_map(run).collect()
+}
+
+/// What rounding does to a run in giant steps: how far it ends from `own` in turned worlds, at most. Nothing where that is too
+/// far for rounding, which then is a defect that the floor must not hide.
+fn rounding(contestant: &Contestant, system: &System, plan: &Plan, own: Option<&Snapshot>) -> [f64; 6] {
+    let mut largest = [0.0; 6];
+    let Some(own) = own else { return largest };
+    let spin = rotation::length(&own.angular_velocity);
+    for turn in TURNS {
+        let change = Change { turn: rotation::turn(&turn), ..Change::none() };
+        let run = contestant.run(&change.apply(system), Form::Least, plan);
+        let Some(end) = run.states.last().filter(|_| run.outcome.broken.is_none()) else { continue };
+        let apart = difference(&system.body, &change.undo(end), own);
+        if apart[3] <= NO_ROUNDING * spin && apart[2] <= NO_ROUNDING {
+            largest = std::array::from_fn(|index| largest[index].max(apart[index]));
+        }
+        // Every world leaves the same of an implicit equation.
+        let left = run.outcome.solves as f64 * SOLVED_TO;
+        (largest[2], largest[3]) = (largest[2].max(left), largest[3].max(left * spin));
+    }
+    largest
 }

@@ -17,7 +17,7 @@ use nalgebra::Vector3;
 use super::Reading;
 use super::climb::apart;
 use crate::model::body::Shape;
-use crate::model::{Change, Snapshot, Start, System, difference};
+use crate::model::{Change, Snapshot, Start, System};
 use crate::reference::Reference;
 use crate::rotation;
 use crate::simulate::{Contestant, Form, Plan};
@@ -36,10 +36,8 @@ pub(super) const TURNS: [Vector3<f64>; 5] = [
 ];
 /// Directions of displacement, and turned worlds.
 const DIRECTIONS: usize = 3;
-/// Relative difference of a run in a turned world from which on it is no rounding, whatever a giant step makes of it.
-const NO_ROUNDING: f64 = 1e-3;
 /// What the iteration of an implicit equation may leave, relative.
-const SOLVED_TO: f64 = 1e-12;
+pub(super) const SOLVED_TO: f64 = 1e-12;
 /// Turned worlds that the roundings of a ladder are drawn in: none of those that gates judge by.
 const DRAWN_IN: [Vector3<f64>; 3] =
     [Vector3::new(1.2, 0.9, -0.5), Vector3::new(-0.7, 1.4, 1.1), Vector3::new(0.5, -0.4, -2.3)];
@@ -283,30 +281,4 @@ pub(super) fn floors(
         };
     }
     floors
-}
-
-/// What rounding does to a run in giant steps: how far it ends from `own` in turned worlds, at most. Nothing where that is too
-/// far for rounding, which then is a defect that the floor must not hide.
-pub(super) fn of_giant_steps(
-    contestant: &Contestant,
-    system: &System,
-    plan: &Plan,
-    own: Option<&Snapshot>,
-) -> [f64; 6] {
-    let mut largest = [0.0; 6];
-    let Some(own) = own else { return largest };
-    let spin = rotation::length(&own.angular_velocity);
-    for turn in TURNS {
-        let change = Change { turn: rotation::turn(&turn), ..Change::none() };
-        let run = contestant.run(&change.apply(system), Form::Least, plan);
-        let Some(end) = run.states.last().filter(|_| run.outcome.broken.is_none()) else { continue };
-        let apart = difference(&system.body, &change.undo(end), own);
-        if apart[3] <= NO_ROUNDING * spin && apart[2] <= NO_ROUNDING {
-            largest = std::array::from_fn(|index| largest[index].max(apart[index]));
-        }
-        // Every world leaves the same of an implicit equation.
-        let left = run.outcome.solves as f64 * SOLVED_TO;
-        (largest[2], largest[3]) = (largest[2].max(left), largest[3].max(left * spin));
-    }
-    largest
 }

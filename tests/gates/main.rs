@@ -6,6 +6,7 @@ mod consistency;
 mod counted;
 mod energies;
 mod exactness;
+mod excuses;
 mod flips;
 mod orders;
 mod sameness;
