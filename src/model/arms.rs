@@ -129,9 +129,12 @@ impl Work for Turn<'_> {
     #[inline(always)]
     fn with_rows<T: Row>(self, proof: T::Proof) -> Sums {
         let Turn { change, from, masses, into } = self;
-        let [x, y, z, masses] = [&from.x, &from.y, &from.z, masses].map(T::chunks);
-        let [x1, y1, z1] = [&mut into.x, &mut into.y, &mut into.z].map(|column| T::chunks_mut(column));
-        let change = change.map(|row| row.map(|entry| T::splat(proof, entry)));
+        let (x, y, z, masses) =
+            (T::chunks(&from.x), T::chunks(&from.y), T::chunks(&from.z), T::chunks(masses));
+        let (x1, y1, z1) =
+            (T::chunks_mut(&mut into.x), T::chunks_mut(&mut into.y), T::chunks_mut(&mut into.z));
+        let [p, q, r] = change;
+        let change = [splat::<T>(proof, p), splat(proof, q), splat(proof, r)];
         let zero = T::splat(proof, 0.0);
         let (mut squares, mut products) = ([zero; 3], [zero; 3]);
         for at in 0..masses.len() {
@@ -153,6 +156,12 @@ impl Work for Turn<'_> {
             products: Vector3::new(total(yz), total(zx), total(xy)),
         }
     }
+}
+
+/// Entry by entry: a closure would not be compiled for the registers of `T`.
+#[inline(always)]
+fn splat<T: Row>(proof: T::Proof, row: &[f64; 3]) -> [T; 3] {
+    [T::splat(proof, row[0]), T::splat(proof, row[1]), T::splat(proof, row[2])]
 }
 
 #[inline(always)]
