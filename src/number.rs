@@ -105,14 +105,11 @@ impl Registers {
 
     /// All that the machine has, the narrowest first.
     pub fn all() -> Vec<Registers> {
-        #[cfg_attr(not(target_arch = "x86_64"), allow(unused_mut))]
-        let mut all = vec![Registers(Width::Common)];
         #[cfg(target_arch = "x86_64")]
-        {
-            all.extend(V3::try_new().map(|four| Registers(Width::Avx2(four))));
-            all.extend(V4::try_new().map(|eight| Registers(Width::Avx512(eight))));
-        }
-        all
+        let asked = [V3::try_new().map(Width::Avx2), V4::try_new().map(Width::Avx512)];
+        #[cfg(not(target_arch = "x86_64"))]
+        let asked = [];
+        std::iter::once(Width::Common).chain(asked.into_iter().flatten()).map(Registers).collect()
     }
 
     /// What they are called.
