@@ -1,7 +1,7 @@
 //! The count of force evaluations, exactly. A run may begin with a few of its own, as many on every rung: a scheme that
 //! hands on the forces at the end of a step needs those at its first beginning.
 
-use super::{Case, ruled};
+use super::{Case, broke, ruled};
 use crate::record::{Ruling, Verdict};
 
 /// Evaluations that a run may begin with.
@@ -10,13 +10,7 @@ const MOST_AT_BEGINNING: u64 = 1;
 pub(super) fn judge(case: &Case, claimed: u32) -> Vec<Verdict> {
     let whole: Vec<_> = case.evidence.rungs.iter().filter(|rung| rung.outcome.broken.is_none()).collect();
     let Some(last) = whole.last() else {
-        return vec![ruled(
-            case,
-            "evaluations",
-            "evaluations",
-            Ruling::Broken,
-            "every run of the ladder broke",
-        )];
+        return vec![broke(case, "evaluations", "evaluations", "every run of the ladder broke")];
     };
     let beginning = last.outcome.evaluations.wrapping_sub(u64::from(claimed) * last.steps);
     let holds = beginning <= MOST_AT_BEGINNING

@@ -8,9 +8,9 @@ use crate::record::{Ruling, Verdict};
 use crate::regression::Ladder;
 
 /// Relative change of L that n steps of the point form may leave: the rounding of L + h τ in each, and that of
-/// Σ X̃_k × F_k, which has the same sign for as long as the body hardly turns.
+/// Σ X̃_k × F_k.
 fn momentum_rounding(points: &PointRun) -> f64 {
-    f64::EPSILON * (8.0 + 4.0 * (points.steps as f64).sqrt()) + 4.0 * points.torque_rounding
+    f64::EPSILON * (8.0 + 4.0 * (points.steps as f64).sqrt()) + points.torque_rounding
 }
 
 pub(super) fn judge(case: &Case, quantity: Quantity, when: When) -> Vec<Verdict> {

@@ -217,6 +217,17 @@ fn ruled(case: &Case, claim: &str, quantity: &str, verdict: Ruling, detail: impl
     }
 }
 
+/// The verdict on runs that broke, the finest too; undecided where that would have gone on in smaller steps.
+fn broke(case: &Case, claim: &str, quantity: &str, why: &str) -> Verdict {
+    match case.evidence.goes_on_in {
+        None => ruled(case, claim, quantity, Ruling::Broken, why),
+        Some(step) => {
+            let detail = format!("{why}; it goes on there in steps of {step:.1e} s: too large a step");
+            ruled(case, claim, quantity, Ruling::Inconclusive, detail)
+        }
+    }
+}
+
 /// Passes where `measured` is at most `bound`; NaN never passes.
 fn at_most(case: &Case, claim: &str, quantity: &str, measured: f64, bound: f64, detail: String) -> Verdict {
     let verdict = if measured <= bound { Ruling::Pass } else { Ruling::Fail };

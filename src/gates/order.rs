@@ -1,7 +1,7 @@
 //! The order gate: the 95 % interval of the fitted slope inside p ± 0.15, and the error constant within 5 % of the
 //! one on record.
 
-use super::{Case, promised_exact, ruled};
+use super::{Case, broke, promised_exact, ruled};
 use crate::metrics::{APART, BAND, QuantityLadder, STANDS};
 use crate::model::Quantity;
 use crate::model::body::Shape;
@@ -108,7 +108,7 @@ fn does_not_turn(case: &Case, quantity: Quantity) -> bool {
 
 fn judge_slope(case: &Case, order: u32, ladder: &QuantityLadder, name: &str) -> Verdict {
     let (verdict, detail) = match &ladder.ladder {
-        Ladder::Broken => judge_broken(case, ladder),
+        Ladder::Broken => return judge_broken(case, ladder, name),
         _ => rule(ladder, order),
     };
     let fit = ladder.fit();
@@ -122,19 +122,18 @@ fn judge_slope(case: &Case, order: u32, ladder: &QuantityLadder, name: &str) -> 
 
 /// No finite error: the run broke, or shows what is no number; or the run is whole, one step differs from the next by a number, and it
 /// is the reference that has none.
-fn judge_broken(case: &Case, ladder: &QuantityLadder) -> (Ruling, String) {
-    let Some(last) = case.evidence.rungs.last() else {
-        return (Ruling::Broken, "no run".to_owned());
-    };
-    if let Some(why) = &last.outcome.broken {
-        return (Ruling::Broken, why.to_string());
+fn judge_broken(case: &Case, ladder: &QuantityLadder, name: &str) -> Verdict {
+    let last = case.evidence.rungs.last();
+    if let Some(why) = last.and_then(|last| last.outcome.broken.as_ref()) {
+        return broke(case, "order", name, &why.to_string());
     }
     let index = Quantity::ALL.iter().position(|quantity| *quantity == ladder.quantity);
-    if index.is_some_and(|index| ladder.place.of(&last.moved[index]).is_finite()) {
-        let detail = "the reference is not finite: there is nothing to compare with".to_owned();
-        return (Ruling::Inconclusive, detail);
+    let moved = last.zip(index).map(|(last, index)| ladder.place.of(&last.moved[index]));
+    if moved.is_some_and(f64::is_finite) {
+        let detail = "the reference is not finite: there is nothing to compare with";
+        return ruled(case, "order", name, Ruling::Inconclusive, detail);
     }
-    (Ruling::Broken, "no finite error".to_owned())
+    ruled(case, "order", name, Ruling::Broken, if last.is_some() { "no finite error" } else { "no run" })
 }
 
 /// What a ladder says of a claimed order, and why, by nothing but its numbers.

@@ -20,7 +20,7 @@ pub(super) fn judge(case: &Case) -> Vec<Verdict> {
         return vec![super::ruled(case, "reduction", "all", Ruling::NotApplicable, detail)];
     };
     // What Σ X̃_k × F_k adds to L by rounding turns the body by as much again for each radian of the run, two here.
-    let rounding = if points.torque_rounding.is_finite() { 4.0 * 3.0 * points.torque_rounding } else { 0.0 };
+    let rounding = if points.torque_rounding.is_finite() { 3.0 * points.torque_rounding } else { 0.0 };
     let bound = LARGEST + rounding + CLEAR * points.rounding;
     let detail = format!(
         "largest difference between model '{}' and the mass points in {} steps, over the scale of each quantity: {:.2e} ≤ {bound:.1e}",

@@ -1,7 +1,7 @@
 //! The reversibility gate: there and back ends at the start, to rounding. Where implicit equations were solved to their
 //! tolerance and no further, what is left of them is named and the verdict stays open.
 
-use super::{Case, SOLVED_TO, left_by_solves, ruled};
+use super::{Case, OPEN, SOLVED_TO, left_by_solves, ruled};
 use crate::record::{Ruling, Verdict};
 
 /// Distance over its floor that rounding may leave.
@@ -16,6 +16,13 @@ pub(super) fn judge(case: &Case) -> Verdict {
     };
     if reversal.of_floor.is_nan() {
         return rule(Ruling::Broken, "the run there or back broke");
+    }
+    if reversal.open > OPEN {
+        let detail = format!(
+            "{} steps of {:.3e} s there and back: such steps make {:.1e} rad of a rounding, too much to tell where they return to",
+            reversal.steps, reversal.step, reversal.open
+        );
+        return rule(Ruling::Inconclusive, &detail);
     }
     let left = left_by_solves(reversal.solves, reversal.steps);
     let (verdict, named) = if reversal.of_floor <= CLEAR {

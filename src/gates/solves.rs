@@ -1,12 +1,12 @@
 //! The count of implicit equations that a step solves, exactly.
 
-use super::{Case, ruled};
+use super::{Case, broke, ruled};
 use crate::record::{Ruling, Verdict};
 
 pub(super) fn judge(case: &Case, claimed: u32) -> Verdict {
     let mut whole = case.evidence.rungs.iter().filter(|rung| rung.outcome.broken.is_none()).peekable();
     let Some(first) = whole.peek() else {
-        return ruled(case, "solves", "solves", Ruling::Broken, "every run of the ladder broke");
+        return broke(case, "solves", "solves", "every run of the ladder broke");
     };
     let iterations = first.outcome.iterations as f64 / first.outcome.solves.max(1) as f64;
     let measured = first.outcome.solves as f64 / first.steps as f64;

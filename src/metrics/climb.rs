@@ -2,6 +2,7 @@
 
 use super::giant_steps::giant_steps;
 use super::ladder::{APART, BAND, Evidence, Place, QuantityLadder, Rung};
+use super::past_break::goes_on_in;
 use super::rounding::{Adding, Rounding};
 use super::{ALL, Reading, Sight, errors, tolerance};
 use crate::model::{Quantity, Snapshot, System, difference};
@@ -67,6 +68,8 @@ pub fn climb(
     while turned / first as f64 > coarsest && first << FEWEST_RUNGS <= contestant.most_steps() {
         first *= 2;
     }
+    // The rounding of h turns the forces that read the time as it turns the body.
+    let phase = turned + system.forces.fastest_clock() * duration;
     let motion = &reference.states;
     let mut rounding = Rounding::measure(contestant, system, motion, &plan(reference, MEASURED_AT * first));
     let mut followed = false;
@@ -75,6 +78,7 @@ pub fn climb(
         rungs: Vec::new(),
         ladders: Vec::new(),
         giant_steps: Vec::new(),
+        goes_on_in: None,
     };
     let mut before = Vec::new();
     let mut earlier: Vec<Vec<QuantityLadder>> = Vec::new();
@@ -90,7 +94,7 @@ pub fn climb(
         let plan = plan(reference, steps);
         // A steady spin is exact at every step but for roundings, and those a large step may amplify by itself.
         let own = system.steady_spin().then(|| Rounding::measure(contestant, system, motion, &plan));
-        let of_law = |rounding: &Rounding, law| rounding.floors(system, reference, steps, turned, law);
+        let of_law = |rounding: &Rounding, law| rounding.floors(system, reference, steps, phase, law);
         let floors = of_law(own.as_ref().unwrap_or(&rounding), Adding::Alike);
         let (mut rung, states) = run_rung(contestant, system, reference, steps, floors, &before);
         if !followed && rung.follows(system) {
@@ -102,7 +106,7 @@ pub fn climb(
             }
         }
         if own.is_none() && rung.is_clear_by_one_law(&of_law(&rounding, Adding::Unlike)) {
-            rounding.draw_again(contestant, system, &plan, &states);
+            rounding.draw_again(contestant, system, motion, &plan, &states);
             rung.floors = of_law(&rounding, Adding::Alike);
         }
         let refused = rung.outcome.refusal().is_some();
@@ -133,6 +137,7 @@ pub fn climb(
         let sizes = sizes(system, reference);
         evidence.ladders.iter_mut().for_each(|ladder| ladder.doubt_where_it_ended_early(order, &sizes));
     }
+    evidence.goes_on_in = evidence.rungs.last().and_then(|finest| goes_on_in(contestant, system, finest));
     if system.steady_spin() && evidence.refusal().is_none() {
         evidence.giant_steps = giant_steps(contestant, system, reference, turned);
     }

@@ -36,6 +36,8 @@ const MOST_STEPS_OTHERWISE: u64 = 1_000_000;
 const MOST_STEPS_UNASKED: u64 = 100_000;
 /// Samples of a run.
 const SAMPLES: u64 = 512;
+/// Difference of two moments, over the largest, below which they are one.
+const ONE_MOMENT: f64 = 1e-9;
 
 /// How a conserved quantity changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -201,7 +203,8 @@ fn classify(rungs: Vec<EnergyRung>, steady: usize, flat: bool, long: f64) -> Ene
     EnergyDrift { rungs, class, order, shown }
 }
 
-/// Period of Ω in body axes [s], 4 K(k)/λ, for three different moments; `None` where Ω is steady or turns evenly.
+/// Period of Ω in body axes [s], 4 K(k)/λ; `None` where Ω is steady. About the axis of a symmetric body it turns evenly, at
+/// L₁ (1/I₁ − 1/I₂): that body's energy knows nothing of it, but a splitting into turns about three axes does.
 ///
 /// With moments A < B < C and L² > 2 E B: λ² = (C − B)(L² − 2 E A)/(A B C) and
 /// k² = (B − A)(2 E C − L²)/((C − B)(L² − 2 E A)); otherwise A and C change places. K by the arithmetic-geometric
@@ -214,11 +217,17 @@ fn polhode_period(system: &System) -> Option<f64> {
     let mut moments = [body.moments[0], body.moments[1], body.moments[2]];
     moments.sort_by(f64::total_cmp);
     let [mut a, b, mut c] = moments;
-    if b - a <= 1e-9 * c || c - b <= 1e-9 * c {
-        return None;
-    }
     let momentum =
         (system.start.orientation * body.principal).inverse_transform_vector(&system.start.angular_momentum);
+    match (b - a <= ONE_MOMENT * c, c - b <= ONE_MOMENT * c) {
+        (true, true) => return None,
+        (false, false) => {}
+        (upper_two, _) => {
+            let (axis, across) = if upper_two { (c, a) } else { (a, c) };
+            let along = (0..3).find(|index| body.moments[*index] == axis).map(|index| momentum[index])?;
+            return Some(2.0 * std::f64::consts::PI / (along * (1.0 / axis - 1.0 / across)).abs());
+        }
+    }
     let squared = momentum.norm_squared();
     let twice_energy = momentum.component_mul(&body.inverse_moments()).dot(&momentum);
     if squared < twice_energy * b {

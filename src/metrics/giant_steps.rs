@@ -48,10 +48,12 @@ fn rounding(contestant: &Contestant, system: &System, plan: &Plan, own: Option<&
     let mut largest = [0.0; 6];
     let Some(own) = own else { return largest };
     let spin = rotation::length(&own.angular_velocity);
+    let mut whole = 0;
     for turn in TURNS {
         let change = Change { turn: rotation::turn(&turn), ..Change::none() };
         let run = contestant.run(&change.apply(system), Form::Least, plan);
         let Some(end) = run.states.last().filter(|_| run.outcome.broken.is_none()) else { continue };
+        whole += 1;
         let apart = difference(&system.body, &change.undo(end), own);
         if apart[3] <= NO_ROUNDING * spin && apart[2] <= NO_ROUNDING {
             largest = std::array::from_fn(|index| largest[index].max(apart[index]));
@@ -60,5 +62,6 @@ fn rounding(contestant: &Contestant, system: &System, plan: &Plan, own: Option<&
         let left = run.outcome.solves as f64 * SOLVED_TO;
         (largest[2], largest[3]) = (largest[2].max(left), largest[3].max(left * spin));
     }
-    largest
+    // A step that can be made in no other world is made in this one by chance.
+    if whole == 0 { [f64::INFINITY; 6] } else { largest }
 }

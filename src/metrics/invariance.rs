@@ -7,7 +7,7 @@
 
 use nalgebra::Vector3;
 
-use super::rounding::{self, Adding, roundings};
+use super::rounding::{self, Adding, roundings, shaken_bodies};
 use super::{Place, Rung, larger, steady_rung};
 use crate::model::body::Shape;
 use crate::model::{Change, Quantity, Snapshot, System, difference, retold};
@@ -16,6 +16,8 @@ use crate::simulate::{Contestant, Form, Plan};
 
 /// Steps of a run.
 const STEPS: u64 = 256;
+/// Runs of the point form that start a few rounding units off.
+const SHAKEN: usize = 6;
 /// States of it that say how roundings grow.
 const SAMPLES: u64 = 16;
 
@@ -67,10 +69,13 @@ pub fn other_worlds(contestant: &Contestant, system: &System, rungs: &[Rung]) ->
     let solves = (rung.outcome.solves as f64 * steps as f64 / rung.steps as f64).round() as u64;
     let own_of_points = if contestant.takes_points() { run(system, Form::Points, rung.step) } else { None };
     let rounding = rounding(contestant, system, rung, steps);
+    // The points, and what is summed over them, round to something else in every telling.
     let of_points = own_of_points.map(|own| {
-        let turned = Change { turn: rotation::turn(&TURN), ..Change::none() };
-        let other = run(&turned.apply(system), Form::Points, rung.step).map(|end| turned.undo(&end));
-        other.map_or([f64::NAN; 6], |other| difference(&system.body, &own, &other))
+        shaken_bodies(system, &[own], SHAKEN).fold([0.0f64; 6], |largest, shaken| {
+            let Some(end) = run(&shaken, Form::Points, rung.step) else { return largest };
+            let apart = difference(&system.body, &own, &end);
+            std::array::from_fn(|index| largest[index].max(apart[index]))
+        })
     });
     let compared = |world: World| {
         let own = if world.form == Form::Least { &own } else { own_of_points.as_ref()? };
@@ -100,7 +105,8 @@ fn rounding(contestant: &Contestant, system: &System, rung: &Rung, steps: u64) -
     let (growth, drawn) = (measured.growth(), measured.drawn_at(steps, Adding::Alike));
     let fastest = motion.iter().map(|s| rotation::length(&s.angular_velocity)).fold(0.0, f64::max);
     let turned = fastest * rung.step * steps as f64;
-    let roundings = roundings(system, steps, turned);
+    let phase = turned + system.forces.fastest_clock() * rung.step * steps as f64;
+    let roundings = roundings(system, steps, phase);
     // A moment is good to a few roundings of the largest one, and its part of Ω no better.
     let moments = system.body.moments;
     let condition = if system.body.shape == Shape::Extended { moments.max() / moments.min() } else { 1.0 };

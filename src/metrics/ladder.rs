@@ -176,6 +176,8 @@ pub struct Evidence {
     pub ladders: Vec<QuantityLadder>,
     /// Runs at steps that turn the body by any angle, for a body in steady spin: exact is exact at every step.
     pub giant_steps: Vec<Rung>,
+    /// A smaller step that the finest run would have gone on in from where it broke [s].
+    pub goes_on_in: Option<f64>,
 }
 
 impl Evidence {

@@ -12,6 +12,7 @@ mod invariance;
 mod invariants;
 mod ladder;
 mod momentum;
+mod past_break;
 mod points;
 mod reversal;
 mod rigidity;

@@ -1,16 +1,16 @@
 //! The note as written, on every mass point, beside the least model: do they agree, does the body stay rigid, is
 //! L untouched?
 
-use super::rounding::TURNS;
+use super::rounding::shaken_bodies;
 use crate::model::forces::Law;
-use crate::model::{Change, Quantity, Snapshot, System, difference, retold};
+use crate::model::{Quantity, Snapshot, System, difference};
 use crate::rotation;
 use crate::simulate::{Contestant, Form, Outcome, Plan};
 
 /// Steps of the comparison.
 const STEPS: u64 = 1000;
-/// What rounding may do at most: u n times a condition of the inertia of 10⁴, and some more.
-const NO_ROUNDING: f64 = 1e-8;
+/// Runs of either form that start a few rounding units off.
+const SHAKEN: usize = 6;
 /// Radians turned a step, at most.
 const TURN: f64 = 1.0 / 512.0;
 
@@ -27,10 +27,11 @@ pub struct PointRun {
     pub stretch: f64,
     /// Largest change of L over |L|, for a body that no torque turns.
     pub momentum_change: Option<f64>,
-    /// What a rounding of Σ X̃_k × F_k in every step may add to L by the end, over |L|.
+    /// What the roundings of Σ X̃_k × F_k in every step may add to L by the end, over |L|: they have one sign for as long as the body
+    /// hardly turns.
     pub torque_rounding: f64,
-    /// What rounding does: the largest differences of either form from itself in turned worlds, and of the least model from itself
-    /// with the inertia of the same body told in another way, each quantity over its own scale.
+    /// What rounding does: the largest differences of either form from itself with start and points a few rounding units off, each
+    /// quantity over its own scale.
     pub rounding: f64,
     /// Cost of the point form.
     pub outcome: Outcome,
@@ -57,10 +58,11 @@ pub fn point_run(contestant: &Contestant, system: &System, duration: f64, fastes
             super::larger(change, rotation::length(&(a.angular_momentum - system.start.angular_momentum)));
     }
     let of_form = |form, own: &[Snapshot]| rounding(contestant, system, form, &plan, own, &scales);
-    let of_inertia = retold(contestant, system, &plan, &least.states, &scales);
-    let rounding = of_form(Form::Points, &written.states) + of_form(Form::Least, &least.states) + of_inertia;
+    let rounding = of_form(Form::Points, &written.states) + of_form(Form::Least, &least.states);
     let momentum = rotation::length(&system.start.angular_momentum);
-    let torque_rounding = f64::EPSILON * weight_on_arms(system) * step * STEPS as f64 / momentum;
+    // Half a unit for each of K − 1 sums, of the K + 1 operations that the centre of mass is known by, and of seven in a term.
+    let units = system.body.points.len() as f64 + 4.0;
+    let torque_rounding = units * f64::EPSILON * weight_on_arms(system) * step * STEPS as f64 / momentum;
     Some(PointRun {
         step,
         steps: STEPS,
@@ -73,8 +75,7 @@ pub fn point_run(contestant: &Contestant, system: &System, duration: f64, fastes
     })
 }
 
-/// A form in turned worlds beside itself: they differ by rounding alone. What differs by more than [`NO_ROUNDING`] is none, and
-/// counts as nothing.
+/// A form beside itself with start and points a few rounding units off: they differ by rounding alone.
 fn rounding(
     contestant: &Contestant,
     system: &System,
@@ -83,28 +84,10 @@ fn rounding(
     own: &[Snapshot],
     scales: &[f64; 6],
 ) -> f64 {
-    let mut largest = 0.0;
-    for turn in TURNS {
-        let change = Change { turn: rotation::turn(&turn), ..Change::none() };
-        let other = contestant.run(&change.apply(system), form, plan);
-        let states = other.states.iter().map(|state| change.undo(state));
-        largest = f64::max(largest, unless_a_defect(furthest(system, states, own, scales)));
-    }
-    largest
-}
-
-/// The least model sums its inertia once, and the rounding of that stays with it in every world. The sum over the same points in
-/// another order, or over one more of them, has another.
-fn retold(contestant: &Contestant, system: &System, plan: &Plan, own: &[Snapshot], scales: &[f64; 6]) -> f64 {
-    let told = [retold::permuted(system), retold::split(system)];
-    told.into_iter().flatten().fold(0.0, |largest, told| {
-        let states = contestant.run(&told, Form::Least, plan).states;
-        f64::max(largest, unless_a_defect(furthest(system, states.into_iter(), own, scales)))
+    shaken_bodies(system, own, SHAKEN).fold(0.0, |largest, shaken| {
+        let states = contestant.run(&shaken, form, plan).states;
+        f64::max(largest, furthest(system, states.into_iter(), own, scales))
     })
-}
-
-fn unless_a_defect(apart: f64) -> f64 {
-    if apart <= NO_ROUNDING { apart } else { 0.0 }
 }
 
 /// Largest difference of any quantity over its scale.

@@ -2,12 +2,17 @@
 //!
 //! A symmetric scheme, Φ₋ₕ Φₕ = 1, returns to its start to rounding; any other is off by its own error.
 
+use super::rounding::shaken_starts;
 use super::{Rung, larger, steady_rung};
-use crate::model::{Quantity, System, difference};
-use crate::simulate::{Contestant, Form, Outcome, Plan};
+use crate::model::{Quantity, Snapshot, System, difference};
+use crate::simulate::{Contestant, Form, Plan};
 
 /// Most steps of one way.
 const STEPS: u64 = 4096;
+/// States of one way that say how large everything gets.
+const SAMPLES: u64 = 16;
+/// Ways there and back that start a few rounding units off.
+const SHAKEN: usize = 6;
 
 /// A run there and back.
 #[derive(Clone, Debug)]
@@ -22,8 +27,10 @@ pub struct Reversal {
     pub quantity: Quantity,
     /// The distance itself.
     pub distance: f64,
-    /// Whether an implicit equation was solved on the way.
+    /// Implicit equations that were solved on the way there.
     pub solves: u64,
+    /// Angle that roundings of this very run leave open, where that was measured [rad].
+    pub open: f64,
 }
 
 /// Runs there and back in the steps of the coarsest run that follows the truth; `None` where there is none, where a force
@@ -34,31 +41,66 @@ pub fn reversal(contestant: &Contestant, system: &System, rungs: &[Rung]) -> Opt
     }
     let rung = steady_rung(system, rungs)?;
     let steps = rung.steps.min(STEPS);
-    let run =
-        |system: &System, step: f64| contestant.run(system, Form::Least, &Plan { step, steps, every: steps });
-    let there = run(system, rung.step);
-    let turning_point = there.states.last()?;
-    let back = run(&system.started_at(turning_point), -rung.step);
-    let whole = |outcome: &Outcome| outcome.broken.is_none();
     let mut reversal = Reversal {
         steps,
         step: rung.step,
-        of_floor: 0.0,
+        of_floor: f64::NAN,
         quantity: Quantity::BodyPoint,
         distance: f64::NAN,
-        solves: there.outcome.solves,
+        solves: 0,
+        open: 0.0,
     };
-    if !whole(&there.outcome) || !whole(&back.outcome) {
-        return Some(Reversal { of_floor: f64::NAN, ..reversal });
+    let Some(own) = there_and_back(contestant, system, rung.step, steps) else { return Some(reversal) };
+    reversal.solves = own.solves;
+    // Twice as many steps, and their roundings, as in the run that the ladder's floor belongs to.
+    let mut floors = rung.floors.map(|floor| 2.0 * floor.max);
+    let off = difference(&system.body, &own.back, &own.start);
+    if off.iter().zip(&floors).any(|(off, floor)| off > floor) {
+        // The run itself says better: where its steps amplify a rounding there and again on the way back, no other does.
+        let spread = spread(contestant, system, rung.step, steps, &own);
+        floors = std::array::from_fn(|index| floors[index].max(spread[index]));
+        reversal.open = spread[2];
     }
-    let distances = difference(&system.body, back.states.last()?, there.states.first()?);
-    for ((value, floor), quantity) in distances.into_iter().zip(&rung.floors).zip(Quantity::ALL) {
-        // Twice as many steps, and their roundings, as in the run that the floor belongs to.
-        let ratio = if value == 0.0 { 0.0 } else { value / (2.0 * floor.max) };
+    reversal.of_floor = 0.0;
+    for ((value, floor), quantity) in off.into_iter().zip(floors).zip(Quantity::ALL) {
+        let ratio = if value == 0.0 { 0.0 } else { value / floor };
         if reversal.distance.is_nan() || ratio.is_nan() || ratio > reversal.of_floor {
             (reversal.quantity, reversal.distance) = (quantity, value);
         }
         reversal.of_floor = larger(reversal.of_floor, ratio);
     }
     Some(reversal)
+}
+
+/// A way there and back.
+struct Return {
+    start: Snapshot,
+    /// States of the way there.
+    there: Vec<Snapshot>,
+    back: Snapshot,
+    solves: u64,
+}
+
+/// `None` where a run breaks.
+fn there_and_back(contestant: &Contestant, system: &System, step: f64, steps: u64) -> Option<Return> {
+    let run = |system: &System, step: f64, every: u64| {
+        let run = contestant.run(system, Form::Least, &Plan { step, steps, every });
+        run.outcome.broken.is_none().then_some(run)
+    };
+    let there = run(system, step, (steps / SAMPLES).max(1))?;
+    let back = run(&system.started_at(there.states.last()?), -step, steps)?;
+    let (start, back) = (*there.states.first()?, *back.states.last()?);
+    Some(Return { start, back, solves: there.outcome.solves, there: there.states })
+}
+
+/// How far ways there and back that start a few rounding units off end from `own`, at most.
+fn spread(contestant: &Contestant, system: &System, step: f64, steps: u64, own: &Return) -> [f64; 6] {
+    let mut largest = [0.0f64; 6];
+    for system in shaken_starts(system, &own.there, SHAKEN) {
+        if let Some(other) = there_and_back(contestant, &system, step, steps) {
+            let apart = difference(&system.body, &other.back, &own.back);
+            largest = std::array::from_fn(|index| largest[index].max(apart[index]));
+        }
+    }
+    largest
 }

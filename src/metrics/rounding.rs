@@ -17,13 +17,15 @@ use nalgebra::Vector3;
 use super::Reading;
 use super::climb::apart;
 use crate::model::body::Shape;
-use crate::model::{Change, Snapshot, Start, System};
+use crate::model::{Change, Snapshot, Start, System, retold};
 use crate::reference::Reference;
 use crate::rotation;
 use crate::simulate::{Contestant, Form, Plan};
 
 /// Sizes of the displacements that measure how roundings grow, relative: the first that does not grow to the size of the motion.
 const DISPLACEMENTS: [f64; 3] = [1e-7, 1e-10, 1e-13];
+/// Displacement that changes the last digits of everything and nothing else, relative.
+const SHAKE: f64 = 4.0 * f64::EPSILON;
 /// Part of the motion's size from which on a difference no longer grows as a small one would.
 const SATURATED: f64 = 0.05;
 /// Turned worlds that roundings are measured in: the largest of a few samples is too small as often as they are few.
@@ -58,7 +60,10 @@ pub(super) struct Rounding {
 /// How far runs whose every rounding is another end from one another.
 struct Drawn {
     steps: u64,
-    apart: [Reading; 6],
+    /// In turned worlds.
+    turned: [Reading; 6],
+    /// Started a few rounding units off.
+    shaken: [Reading; 6],
 }
 
 impl Rounding {
@@ -67,14 +72,21 @@ impl Rounding {
         let own = contestant.run(system, Form::Least, plan);
         Rounding {
             growth: growth_beside(contestant, system, motion, plan, &own.states),
-            drawn: Drawn { steps: plan.steps, apart: draw_anew(contestant, system, plan, &own.states) },
+            drawn: Drawn::of(contestant, system, motion, plan, &own.states),
             solves_of_step: own.outcome.solves as f64 / own.outcome.steps.max(1) as f64,
         }
     }
 
     /// Draws anew in the steps of another plan, which `own` is the run of.
-    pub fn draw_again(&mut self, contestant: &Contestant, system: &System, plan: &Plan, own: &[Snapshot]) {
-        self.drawn = Drawn { steps: plan.steps, apart: draw_anew(contestant, system, plan, own) };
+    pub fn draw_again(
+        &mut self,
+        contestant: &Contestant,
+        system: &System,
+        motion: &[Snapshot],
+        plan: &Plan,
+        own: &[Snapshot],
+    ) {
+        self.drawn = Drawn::of(contestant, system, motion, plan, own);
     }
 
     /// Floors of a run of `steps` steps over `turned` radians, with roundings that add up as the law says from the run on that
@@ -105,13 +117,73 @@ impl Rounding {
         let more = if law == Adding::Alike { more.max(more.sqrt()) } else { more.sqrt() };
         let most = steps as f64 * (A_STEP * f64::EPSILON + self.solves_of_step * SOLVED_TO);
         std::array::from_fn(|index| {
-            let (apart, growth) = (&self.drawn.apart[index], &self.growth[index]);
+            let (turned, shaken) = (&self.drawn.turned[index], &self.drawn.shaken[index]);
+            let growth = &self.growth[index];
             Reading {
-                end: (more * apart.end).min(most * growth.end),
-                max: (more * apart.max).min(most * growth.max),
+                end: (more * turned.end).min(most * growth.end).max(more * shaken.end),
+                max: (more * turned.max).min(most * growth.max).max(more * shaken.max),
             }
         })
     }
+}
+
+impl Drawn {
+    fn of(
+        contestant: &Contestant,
+        system: &System,
+        motion: &[Snapshot],
+        plan: &Plan,
+        own: &[Snapshot],
+    ) -> Drawn {
+        let turned = in_turned_worlds(contestant, system, plan, own);
+        let shaken = shaken(contestant, system, motion, plan, own);
+        Drawn { steps: plan.steps, turned, shaken }
+    }
+}
+
+/// How far runs that start a few rounding units off end from `own`, at most: after the first step every rounding is another.
+fn shaken(
+    contestant: &Contestant,
+    system: &System,
+    motion: &[Snapshot],
+    plan: &Plan,
+    own: &[Snapshot],
+) -> [Reading; 6] {
+    let mut largest = [NOTHING; 6];
+    if contestant.card.tolerance_exponent() > 0 {
+        return largest;
+    }
+    for system in shaken_starts(system, motion, DIRECTIONS) {
+        let run = contestant.run(&system, Form::Least, plan);
+        if run.outcome.broken.is_some() {
+            continue;
+        }
+        for (largest, by) in largest.iter_mut().zip(apart(&system, &run.states, own)) {
+            *largest = Reading { end: largest.end.max(by.end), max: largest.max.max(by.max) };
+        }
+    }
+    largest
+}
+
+/// The system started a few rounding units off, in so many ways: after the first step every rounding is another, and nothing else is.
+pub(super) fn shaken_starts(
+    system: &System,
+    motion: &[Snapshot],
+    ways: usize,
+) -> impl Iterator<Item = System> {
+    (0..ways).map(move |way| displaced(system, motion, way, SHAKE))
+}
+
+/// The same with every point of the body as far off: what is summed over them rounds to something else too.
+pub(super) fn shaken_bodies(
+    system: &System,
+    motion: &[Snapshot],
+    ways: usize,
+) -> impl Iterator<Item = System> {
+    (0..ways).map(move |way| {
+        let moved = retold::moved(system, SHAKE, way);
+        displaced(moved.as_ref().unwrap_or(system), motion, way, SHAKE)
+    })
 }
 
 /// How roundings of one step add to those of another.
@@ -125,7 +197,7 @@ pub(super) enum Adding {
 
 /// How far runs in turned worlds end from `own`, at most: the same motion, and every rounding is another. A solver that chooses its own
 /// steps chooses others there, and what it differs by is no rounding.
-fn draw_anew(contestant: &Contestant, system: &System, plan: &Plan, own: &[Snapshot]) -> [Reading; 6] {
+fn in_turned_worlds(contestant: &Contestant, system: &System, plan: &Plan, own: &[Snapshot]) -> [Reading; 6] {
     let mut largest = [NOTHING; 6];
     if contestant.card.tolerance_exponent() > 0 {
         return largest;
@@ -190,12 +262,13 @@ fn reach(system: &System, motion: &[Snapshot]) -> f64 {
     motion.iter().map(|s| s.position.amax()).fold(system.body.extent(), f64::max)
 }
 
-/// The system started a little off in everything that rounding touches, in one of a few fixed directions.
+/// The system started a little off in everything that rounding touches, in one of a few fixed directions and
+/// their opposites.
 fn displaced(system: &System, motion: &[Snapshot], direction: usize, displacement: f64) -> System {
     let directions: [Vector3<f64>; DIRECTIONS] =
         [Vector3::new(0.36, 0.48, 0.8), Vector3::new(0.8, -0.6, 0.0), Vector3::new(-0.48, -0.64, 0.6)];
-    let along =
-        |scale: f64, shift: usize| directions[(direction + shift) % DIRECTIONS] * (scale * displacement);
+    let sign = if direction < DIRECTIONS { displacement } else { -displacement };
+    let along = |scale: f64, shift: usize| directions[(direction + shift) % DIRECTIONS] * (scale * sign);
     let largest = |value: fn(&Snapshot) -> f64| motion.iter().map(value).fold(0.0, f64::max);
     // Forces that read the velocities of points round off as those do, though the centre of mass stand still.
     let of_points = system.forces.read_velocity();
@@ -210,7 +283,8 @@ fn displaced(system: &System, motion: &[Snapshot], direction: usize, displacemen
     system.displaced(&along(1.0, 0), &change)
 }
 
-/// What the roundings of `steps` steps over `turned` radians add up to, relative, for each quantity. In a steady spin the part of
+/// What the roundings of `steps` steps over `turned` radians, of the body and of the forces' own clock, add up to, relative, for each
+/// quantity. In a steady spin the part of
 /// L across its axis is one more of them: the start is as steady as its numbers.
 pub(super) fn roundings(system: &System, steps: u64, turned: f64) -> [f64; 6] {
     let steps = steps as f64;

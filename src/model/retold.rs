@@ -1,9 +1,14 @@
 //! The same body told in another way: its points in another order, one of them as two, or its inertia in place of them. No motion
 //! knows the difference, so no scheme may.
 
+use nalgebra::Vector3;
+
 use super::body::{Body, MassPoint, second_moment_inertia};
 use super::forces::{Attachment, Law, PerPoint};
 use super::{Spin, System};
+
+/// 2π (1 − 1/φ) [rad].
+const GOLDEN_ANGLE: f64 = 2.399_963_229_728_653;
 
 /// The points in reverse order; `None` for fewer than two.
 pub fn permuted(system: &System) -> Option<System> {
@@ -58,6 +63,19 @@ pub fn split(system: &System) -> Option<System> {
     of_points(system, &points, laws.collect())
 }
 
+/// Every point moved by a part of the body's extent, each in another direction and in as many ways as asked for; `None` without points.
+pub fn moved(system: &System, part: f64, way: usize) -> Option<System> {
+    let mut points = system.body.points.clone();
+    let size = part * system.body.extent();
+    for (index, point) in points.iter_mut().enumerate() {
+        // Golden angles never come back to a direction.
+        let (turn, height) = (GOLDEN_ANGLE * (index + 1) as f64, GOLDEN_ANGLE * (way + 1) as f64);
+        let (sine, cosine) = (turn + height).sin_cos();
+        point.position += Vector3::new(cosine, sine, height.sin()) * size;
+    }
+    of_points(system, &points, system.forces.laws().to_vec())
+}
+
 /// Mass and inertia in place of the points; `None` where a law acts on every point.
 pub fn by_inertia(system: &System) -> Option<System> {
     let body = &system.body;
@@ -81,7 +99,7 @@ pub fn by_inertia(system: &System) -> Option<System> {
 
 /// The points stand about the body's origin already: a pivot is there, and a free body's centre of mass to rounding.
 fn of_points(system: &System, points: &[MassPoint], laws: Vec<Law>) -> Option<System> {
-    let pivot = system.body.pivoted.then(nalgebra::Vector3::zeros);
+    let pivot = system.body.pivoted.then(Vector3::zeros);
     let (body, _) = Body::from_points(points, pivot).ok()?;
     started(system, body, laws)
 }

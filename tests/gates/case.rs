@@ -72,6 +72,7 @@ impl Made {
                 rungs: (0..6).map(|k| rung(0.5f64.powi(k), 8 << k, 0.0, 0.0)).collect(),
                 ladders: Vec::new(),
                 giant_steps: Vec::new(),
+                goes_on_in: None,
             },
             drift: None,
             points: None,

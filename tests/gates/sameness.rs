@@ -19,7 +19,8 @@ fn left_by_solves() -> f64 {
 fn reversal(of_floor: f64, solves: u64) -> Made {
     let mut made = Made::new("free-asymmetric", &[Claim::Reversible]);
     let quantity = Quantity::Orientation;
-    made.reversal = Some(Reversal { steps: 25, step: 0.5, of_floor, quantity, distance: 1e-15, solves });
+    made.reversal =
+        Some(Reversal { steps: 25, step: 0.5, of_floor, quantity, distance: 1e-15, solves, open: 0.0 });
     made
 }
 

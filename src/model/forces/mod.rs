@@ -237,6 +237,17 @@ impl Forces {
         })
     }
 
+    /// The fastest that a law goes round by itself [rad/s]; 0 where none reads the time.
+    pub fn fastest_clock(&self) -> f64 {
+        let rate = |law: &Law| match law {
+            Law::Lorentz(lorentz) if !lorentz.is_static() => lorentz.frequency,
+            Law::Torque(torque) => torque.frequency,
+            Law::GravityGradient(gradient) => gradient.rate,
+            _ => 0.0,
+        };
+        self.laws.iter().map(|law| rate(law).abs()).fold(0.0, f64::max)
+    }
+
     /// Whether every law conserves the total energy.
     pub fn conservative(&self) -> bool {
         self.laws.iter().all(|law| match law {
