@@ -80,13 +80,8 @@ fn orders(contestant: &Contestant, order: u32, scenes: &[&str]) -> Result<Vec<Ve
     let mut contestant = contestant.clone();
     let others = contestant.card.claims.iter().filter(|claim| matches!(claim, Claim::Exact(..)));
     contestant.card.claims = others.copied().chain([Claim::Order(order)]).collect::<Vec<_>>().leak();
-    let campaign = Campaign {
-        scenes: scenes.iter().map(|name| Scene::find(name)).collect::<Result<_, _>>()?,
-        contestants: vec![contestant],
-        baseline: Baseline::default(),
-        series: false,
-        progress: &|_, _| {},
-    };
+    let scenes = scenes.iter().map(|name| Scene::find(name)).collect::<Result<_, _>>()?;
+    let campaign = Campaign { baseline: Baseline::default(), ..Campaign::of(scenes, vec![contestant]) };
     let judged = |verdict: &Verdict| verdict.claim == "order" || verdict.scheme == "reference";
     Ok(campaign.run().verdicts.into_iter().filter(judged).collect())
 }

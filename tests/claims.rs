@@ -15,13 +15,8 @@ fn scene(name: &str) -> Scene {
 }
 
 fn verdicts(contestant: Contestant, scene_name: &str, claim: &str) -> Vec<Verdict> {
-    let campaign = Campaign {
-        scenes: vec![scene(scene_name)],
-        contestants: vec![contestant],
-        baseline: Baseline::default(),
-        series: false,
-        progress: &|_, _| {},
-    };
+    let scenes = vec![scene(scene_name)];
+    let campaign = Campaign { baseline: Baseline::default(), ..Campaign::of(scenes, vec![contestant]) };
     campaign.run().verdicts.into_iter().filter(|verdict| verdict.claim == claim).collect()
 }
 

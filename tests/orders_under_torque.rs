@@ -27,7 +27,7 @@ fn measured() -> Records {
         assert!(!scene.system.torque_free() && scene.not_for_order.is_none(), "{}", scene.name);
     }
     let contestants = Contestant::all();
-    Campaign { scenes, contestants, baseline: Baseline::default(), series: false, progress: &|_, _| {} }.run()
+    Campaign { baseline: Baseline::default(), ..Campaign::of(scenes, contestants) }.run()
 }
 
 #[test]

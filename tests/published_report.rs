@@ -25,14 +25,7 @@ fn the_verdicts_of_the_published_report_are_those_that_the_code_gives() {
     let reported = |c: &Contestant| published.schemes.iter().any(|row| row.name == c.card.name);
     let contestants: Vec<Contestant> = Contestant::all().into_iter().filter(reported).collect();
     assert!(contestants.len() >= 2);
-    let now = Campaign {
-        scenes: scenes::built_in(),
-        contestants,
-        baseline: Baseline::built_in(),
-        series: false,
-        progress: &|_, _| (),
-    }
-    .run();
+    let now = Campaign::of(scenes::built_in(), contestants).run();
     assert_eq!(gates::exit_code(&now.verdicts), 0);
     let (published, now) = (rulings(&published), rulings(&now));
     let differences: Vec<_> = published

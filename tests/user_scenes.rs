@@ -86,7 +86,7 @@ fn gate(text: &str) -> Records {
     let note = |c: &Contestant| matches!(c.card.name, "peskin-rk2" | "euler");
     let contestants = Contestant::all().into_iter().filter(note).collect();
     let baseline = Baseline::built_in();
-    Campaign { scenes, contestants, baseline, series: false, progress: &|_, _| () }.run()
+    Campaign { baseline, ..Campaign::of(scenes, contestants) }.run()
 }
 
 #[test]

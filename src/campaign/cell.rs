@@ -1,6 +1,6 @@
 //! One scheme in one scene: everything that is measured, then judged, as rows.
 
-use super::rows;
+use super::{Controls, rows};
 use crate::claim::Claim;
 use crate::gates::{self, Baseline, Case};
 use crate::metrics::{self, EnergyDrift, Evidence};
@@ -29,12 +29,14 @@ pub(super) struct Cell {
     pub(super) reduction: Option<f64>,
 }
 
+/// Measures and judges. `controls` tell what a higher order than the claimed one means; a control has none itself.
 pub(super) fn measure(
     scene: &Scene,
     reference: &Reference,
     contestant: &Contestant,
     baseline: &Baseline,
     series: bool,
+    controls: Option<&Controls>,
 ) -> Cell {
     let system = &scene.system;
     if let Some(reason) = contestant.refusal(system) {
@@ -70,7 +72,7 @@ pub(super) fn measure(
         Vec::new()
     };
     let step_limit = step_limit(scene, contestant);
-    let case = Case {
+    let mut case = Case {
         scene: &scene.name,
         not_for_order: scene.not_for_order.as_deref(),
         system,
@@ -84,8 +86,15 @@ pub(super) fn measure(
         other_worlds: &other_worlds,
         baseline,
         step_limit: step_limit.as_ref().map(|(stored, measured)| (*stored, measured)),
+        control: None,
     };
-    let verdicts = gates::judge(&case);
+    let mut verdicts = gates::judge(&case);
+    if gates::ask_for_control(&case, &verdicts)
+        && let Some(control) = controls.and_then(|controls| controls.of(contestant, system.torque_free()))
+    {
+        case.control = Some(&control);
+        verdicts = gates::judge(&case);
+    }
     let names = rows::Names { scene: &scene.name, scheme: contestant.card.name, model: evidence.model };
     let mut measurements = rows::measurements(&names, &evidence, contestant.has_own_clock());
     measurements.extend(drift.iter().flat_map(|drift| rows::drift_rates(&names, drift)));

@@ -4,6 +4,7 @@
 //! many give the same numbers to the last bit, timings aside.
 
 mod cell;
+mod controls;
 mod costs;
 mod reduction;
 mod rows;
@@ -21,6 +22,7 @@ use crate::reference::{Reference, ReferenceError, stored};
 use crate::scenes::Scene;
 use crate::simulate::Contestant;
 
+pub use controls::Controls;
 pub use costs::{add_costs, typical_step};
 pub use reduction::add_reductions;
 pub use scaling::add_scaling;
@@ -38,6 +40,8 @@ pub struct Campaign<'a> {
     pub baseline: Baseline,
     /// Whether to keep quantities against time, for drawing.
     pub series: bool,
+    /// What the schemes show in a generic scene; shared between campaigns of the same schemes.
+    pub controls: Controls,
     /// Called as (done, of all) after every piece of work.
     pub progress: &'a (dyn Fn(usize, usize) + Sync),
 }
@@ -50,6 +54,18 @@ struct Prepared<'a> {
 }
 
 impl Campaign<'_> {
+    /// A grid at its plainest: the constants of this version, nothing to draw, nobody to tell.
+    pub fn of(scenes: Vec<Scene>, contestants: Vec<Contestant>) -> Campaign<'static> {
+        Campaign {
+            scenes,
+            contestants,
+            baseline: Baseline::built_in(),
+            series: false,
+            controls: Controls::default(),
+            progress: &|_, _| (),
+        }
+    }
+
     /// Measures and judges the whole grid, or what there was time for.
     pub fn run(&self) -> Records {
         let all = self.scenes.len() * (self.contestants.len() + 1);
@@ -78,7 +94,8 @@ impl Campaign<'_> {
             return Some(cell::refused(prepared.scene, contestant, reason));
         }
         let reference = prepared.reference.as_ref()?.as_ref().ok()?;
-        Some(cell::measure(prepared.scene, reference, contestant, &self.baseline, self.series))
+        let controls = Some(&self.controls);
+        Some(cell::measure(prepared.scene, reference, contestant, &self.baseline, self.series, controls))
     }
 
     fn records(&self, scenes: Vec<(Prepared, Vec<Option<cell::Cell>>)>) -> Records {

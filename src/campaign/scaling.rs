@@ -6,7 +6,6 @@ use nalgebra::Vector3;
 
 use super::Campaign;
 use crate::cost::{self, Course};
-use crate::gates::Baseline;
 use crate::interrupt;
 use crate::model::body::{Body, MassPoint};
 use crate::model::forces::{Drag, Law, PerPoint};
@@ -101,13 +100,7 @@ fn with_cells(contestants: &[Contestant]) -> Vec<ScalingRow> {
     for count in CAMPAIGNS {
         let scenes: Vec<Scene> = SCENES[..count].iter().filter_map(|name| Scene::find(name).ok()).collect();
         for threads in &threads {
-            let campaign = Campaign {
-                scenes: scenes.clone(),
-                contestants: contestants.to_vec(),
-                baseline: Baseline::built_in(),
-                series: false,
-                progress: &|_, _| (),
-            };
+            let campaign = Campaign::of(scenes.clone(), contestants.to_vec());
             let Ok(pool) = rayon::ThreadPoolBuilder::new().num_threads(*threads).build() else { continue };
             if interrupt::requested() {
                 break;

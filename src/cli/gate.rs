@@ -90,7 +90,8 @@ pub(super) fn measure_with(
         bar.set_length(all as u64);
         bar.set_position(done as u64);
     };
-    let records = Campaign { scenes, contestants, baseline, series, progress: &progress }.run();
+    let records =
+        Campaign { baseline, series, progress: &progress, ..Campaign::of(scenes, contestants) }.run();
     bar.finish_and_clear();
     records
 }

@@ -20,7 +20,7 @@ mod symplectic;
 mod vertical_momentum;
 
 use crate::claim::{Claim, Quantity, When};
-use crate::metrics::{EnergyDrift, Evidence, Flips, OtherWorld, PointRun, Reversal, Symplecticity};
+use crate::metrics::{BAND, EnergyDrift, Evidence, Flips, OtherWorld, PointRun, Reversal, Symplecticity};
 use crate::model::System;
 use crate::record::stability::LinearLimit;
 use crate::record::{Records, Ruling, Verdict};
@@ -57,6 +57,37 @@ pub struct Case<'a> {
     pub baseline: &'a Baseline,
     /// The limit of stability on record, and as it was measured.
     pub step_limit: Option<(&'a LinearLimit, &'a LinearLimit)>,
+    /// What the scheme shows in a generic scene, where that was asked for.
+    pub control: Option<&'a Control>,
+}
+
+/// A scheme in a generic scene. In another an order above the claimed one says that the scene is too easy, where the claimed order
+/// holds here, and that the claim is too low, where it does not.
+#[derive(Clone, Debug)]
+pub struct Control {
+    /// What the gates said there, without a control of their own.
+    pub verdicts: Vec<Verdict>,
+}
+
+impl Control {
+    /// The scene, where the claim holds in it: in one quantity at least, and in none not.
+    fn shows(&self, claim: &str, quantity: &str) -> Option<&str> {
+        let mut spoken =
+            self.verdicts.iter().filter(|v| v.claim == claim && v.quantity.starts_with(quantity));
+        let against = |v: &Verdict| matches!(v.verdict, Ruling::Fail | Ruling::Broken);
+        if spoken.clone().any(against) {
+            return None;
+        }
+        spoken.find(|v| v.verdict == Ruling::Pass).map(|v| v.scene.as_str())
+    }
+}
+
+/// Whether a control may tell more of what failed: an order above the claimed one.
+pub fn ask_for_control(case: &Case, verdicts: &[Verdict]) -> bool {
+    let top = f64::from(order_here(case, case.card.order())) + BAND;
+    let above = |v: &Verdict| v.claim == "order" && v.low.is_some_and(|low| low > top);
+    let open = |v: &Verdict| v.verdict == Ruling::Fail && v.known_deviation.is_none();
+    verdicts.iter().any(|v| open(v) && (above(v) || v.quantity == energy::RATE))
 }
 
 /// Error constants on record, by scene, scheme and quantity.

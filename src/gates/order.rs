@@ -2,7 +2,7 @@
 //! one on record.
 
 use super::{Case, broke, promised_exact, ruled};
-use crate::metrics::{APART, BAND, QuantityLadder, STANDS};
+use crate::metrics::{APART, BAND, QuantityLadder};
 use crate::model::Quantity;
 use crate::model::body::Shape;
 use crate::record::{Ruling, Verdict};
@@ -32,31 +32,35 @@ pub(super) fn judge(case: &Case, order: u32) -> Vec<Verdict> {
 }
 
 /// A slope above the band says that the claimed order is too low, or that its term is too small to be seen in one quantity of one
-/// scene. Where another quantity of the same runs shows that order, its interval reaching into the band or its term under the next, it
-/// is not too low; and where another has not settled, or still moves between two whole orders, the runs as a whole have not come to
-/// their asymptotic range: undecided. So is a slope below the band where half of the quantities have not settled.
+/// scene. Where another quantity of the same runs shows that order, its slope in the band or its term under the next, or a generic
+/// scene does, it is not too low: undecided. So is a slope below the band where half of the quantities have not settled; and
+/// one that rests between the order below and the claimed one where more quantities of the same runs hold that than fall short of it.
 fn excuse_easy_quantities(case: &Case, order: u32, verdicts: &mut [Verdict]) {
     let (bottom, top) = (f64::from(order) - BAND, f64::from(order) + BAND);
     let shows = |ladder: &QuantityLadder| {
-        ladder.fit().is_some_and(|fit| fit.low <= top && fit.high >= bottom) || ladder.is_on_its_way(order)
+        ladder.fit().is_some_and(|fit| (bottom..=top).contains(&fit.slope)) || ladder.is_on_its_way(order)
     };
     let ladders = &case.evidence.ladders;
-    let unsettled = |ladder: &&QuantityLadder| ladder.ladder == Ladder::Unsettled;
-    let moves = |ladder: &QuantityLadder| {
-        ladder.fit().is_some_and(|fit| fit.low > top && (between_orders(&fit) || falls_away(ladder)))
-    };
     let excuse_above = if ladders.iter().any(shows) {
-        Some("; other quantities of the same runs show the claimed order")
-    } else if ladders.iter().any(|ladder| unsettled(&ladder) || moves(ladder)) {
-        Some("; other quantities of the same runs have not settled")
+        Some("; other quantities of the same runs show the claimed order".to_owned())
     } else {
-        None
+        let shown_in = case.control.and_then(|control| control.shows("order", ""));
+        shown_in.map(|scene| format!("; {scene} shows the claimed order"))
     };
-    let open = 2 * ladders.iter().filter(unsettled).count() >= ladders.len();
-    let excuse_below = open.then_some("; half of the quantities of the same runs have not settled");
+    let unsettled = ladders.iter().filter(|ladder| ladder.ladder == Ladder::Unsettled).count();
+    let open = 2 * unsettled >= ladders.len();
+    let count = |ruling| verdicts.iter().filter(|v| v.claim == "order" && v.verdict == ruling).count();
+    let outnumbered = count(Ruling::Pass) > count(Ruling::Fail);
     for verdict in verdicts.iter_mut().filter(|v| v.claim == "order" && v.verdict == Ruling::Fail) {
-        let above = verdict.low.is_some_and(|low| low > top);
-        if let Some(excuse) = if above { excuse_above } else { excuse_below } {
+        let excuse = match (verdict.low, verdict.high) {
+            (Some(low), _) if low > top => excuse_above.as_deref(),
+            _ if open => Some("; half of the quantities of the same runs have not settled"),
+            (Some(low), Some(high)) if outnumbered && low > bottom - 1.0 + 2.0 * BAND && high < bottom => {
+                Some("; at no whole order, and more quantities of the same runs hold the claimed one")
+            }
+            _ => None,
+        };
+        if let Some(excuse) = excuse {
             verdict.verdict = Ruling::Inconclusive;
             verdict.detail += excuse;
         }
@@ -172,8 +176,6 @@ fn rule_on_fit(ladder: &QuantityLadder, order: u32, fit: &Fit, rungs: usize) -> 
         (Ruling::Pass, "inside")
     } else if outside && ladder.is_on_its_way(order) {
         (Ruling::Inconclusive, "a term of the claimed order is there, still under the next one:")
-    } else if fit.low > top && (between_orders(fit) || falls_away(ladder)) {
-        (Ruling::Inconclusive, "above the band, at no whole order and not at rest:")
     } else if fit.low > top {
         (Ruling::Fail, "above the band (too easy a scene, or mis-declared):")
     } else if fit.high < bottom {
@@ -186,26 +188,6 @@ fn rule_on_fit(ladder: &QuantityLadder, order: u32, fit: &Fit, rungs: usize) -> 
         fit.slope, fit.low, fit.high
     );
     (verdict, detail)
-}
-
-/// Whether the whole interval lies between the bands of two whole orders and is not at rest there: smooth motions converge at whole
-/// orders, and a slope between two that still moves is on its way to one.
-fn between_orders(fit: &Fit) -> bool {
-    let below = fit.low.floor();
-    let between = fit.low > below + BAND && fit.high < below + 1.0 - BAND;
-    between && fit.high - fit.low > 2.0 * STANDS
-}
-
-/// Whether the slopes of the window fall, each below the last, away from a whole order that the interval is near and does not reach: a
-/// term that led gives way to one of lower order. (Nearer to the order below, they may as well be about to come to rest there.)
-fn falls_away(ladder: &QuantityLadder) -> bool {
-    let Ladder::Window { rungs, fit } = &ladder.ladder else { return false };
-    let window = &ladder.rungs[rungs.clone()];
-    let slopes: Vec<f64> =
-        window.windows(2).map(|w| (w[0].1 / w[1].1).ln() / (w[0].0 / w[1].0).ln()).collect();
-    let falls = slopes.windows(2).all(|pair| pair[1] < pair[0]);
-    let (first, last) = (slopes[0], slopes[slopes.len() - 1]);
-    falls && first - last > 2.0 * STANDS && fit.low - fit.high.floor() > 0.5
 }
 
 /// A constant on record and none measured: undecided, but where an error is below its floor that the record makes a thousand times

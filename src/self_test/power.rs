@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use rayon::prelude::*;
 
 use super::random::{Tally, cause, weight};
-use crate::campaign::Campaign;
+use crate::campaign::{Campaign, Controls};
 use crate::claim::Claim;
 use crate::gates::Baseline;
 use crate::interrupt;
@@ -111,18 +111,16 @@ fn contestants() -> Vec<Contestant> {
 
 /// Judges wrong orders in the first `count` random scenes of a seed.
 pub fn run(seed: u64, count: u64) -> Vec<Row> {
-    let contestants = contestants();
+    let (contestants, controls) = (contestants(), Controls::default());
     let judged: Vec<(u64, Vec<Verdict>)> = (0..count)
         .into_par_iter()
         .filter(|_| !interrupt::requested())
         .filter_map(|number| Some((number, random::scene(seed, number).ok()?)))
         .map(|(number, scene)| {
             let campaign = Campaign {
-                scenes: vec![scene],
-                contestants: contestants.clone(),
                 baseline: Baseline::default(),
-                series: false,
-                progress: &|_, _| (),
+                controls: controls.clone(),
+                ..Campaign::of(vec![scene], contestants.clone())
             };
             (number, campaign.run().verdicts)
         })

@@ -64,14 +64,7 @@ fn claiming(name: &str, claims: &'static [Claim]) -> Contestant {
 /// The verdicts on a contestant in a scene.
 pub(super) fn judge(contestant: Contestant, scene: &str) -> Vec<Verdict> {
     let Ok(scene) = Scene::find(scene) else { return Vec::new() };
-    let campaign = Campaign {
-        scenes: vec![scene],
-        contestants: vec![contestant],
-        baseline: Baseline::built_in(),
-        series: false,
-        progress: &|_, _| (),
-    };
-    campaign.run().verdicts
+    Campaign::of(vec![scene], vec![contestant]).run().verdicts
 }
 
 /// The scheme against a reference that is wrong, or with errors that are measured wrongly.
@@ -101,5 +94,6 @@ fn judge_against(change: fn(&mut Reference), measure: Option<planted::Measure>, 
         other_worlds: &[],
         baseline: &Baseline::built_in(),
         step_limit: None,
+        control: None,
     })
 }

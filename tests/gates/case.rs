@@ -1,7 +1,7 @@
 //! A case whose every number is made up: perfect but for what a test changes.
 
 use polhode::claim::{Claim, Quantity};
-use polhode::gates::{self, Baseline, Case};
+use polhode::gates::{self, Baseline, Case, Control};
 use polhode::metrics::{
     self, EnergyDrift, Evidence, Flips, OtherWorld, Place, PointRun, QuantityLadder, Reading, Reversal, Rung,
     Symplecticity,
@@ -27,6 +27,7 @@ pub struct Made {
     pub other_worlds: Vec<OtherWorld>,
     pub baseline: Baseline,
     pub step_limit: Option<(LinearLimit, LinearLimit)>,
+    pub control: Option<Control>,
 }
 
 /// Floor of every error.
@@ -82,6 +83,7 @@ impl Made {
             other_worlds: Vec::new(),
             baseline: Baseline::default(),
             step_limit: None,
+            control: None,
         }
     }
 
@@ -96,7 +98,16 @@ impl Made {
 
     /// Every verdict.
     pub fn judge(&self) -> Vec<Verdict> {
-        gates::judge(&Case {
+        gates::judge(&self.case())
+    }
+
+    /// Whether the verdicts ask for a control.
+    pub fn asks_for_control(&self) -> bool {
+        gates::ask_for_control(&self.case(), &self.judge())
+    }
+
+    fn case(&self) -> Case<'_> {
+        Case {
             scene: &self.scene.name,
             not_for_order: self.not_for_order,
             system: &self.scene.system,
@@ -110,7 +121,8 @@ impl Made {
             other_worlds: &self.other_worlds,
             baseline: &self.baseline,
             step_limit: self.step_limit.as_ref().map(|(stored, measured)| (stored, measured)),
-        })
+            control: self.control.as_ref(),
+        }
     }
 
     /// The one verdict on a quantity of a claim.

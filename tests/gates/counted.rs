@@ -1,7 +1,7 @@
 //! Counts of work, exactly.
 
 use polhode::claim::Claim;
-use polhode::record::Ruling::{Broken, Fail, Pass};
+use polhode::record::Ruling::{Broken, Fail, Inconclusive, Pass};
 
 use super::case::{Made, broken, numbers};
 
@@ -32,6 +32,8 @@ fn runs_that_broke_are_not_counted_but_where_all_did() {
     assert_eq!((verdict.verdict, numbers(&verdict)), (Pass, [Some(3.0); 3]));
     made.evidence.rungs = made.evidence.rungs.into_iter().map(broken).collect();
     assert_eq!(made.ruling("evaluations", "evaluations"), Broken);
+    made.evidence.goes_on_in = Some(0.25);
+    assert_eq!(made.ruling("evaluations", "evaluations"), Inconclusive);
 }
 
 #[test]

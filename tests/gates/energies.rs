@@ -15,7 +15,7 @@ const CONSTANT: &[Claim] = &[Claim::Energy(EnergyOfFreeBody::Constant)];
 const FALLS: &[Claim] = &[Claim::Energy(EnergyOfFreeBody::Falls)];
 
 /// Three runs, of which the second is shown; `change` changes that and the last.
-fn drift(class: Class, order: Option<Fit>, change: impl Fn(&mut EnergyRung)) -> EnergyDrift {
+pub fn drift(class: Class, order: Option<Fit>, change: impl Fn(&mut EnergyRung)) -> EnergyDrift {
     let mut rung = EnergyRung {
         step: 0.5,
         steps: 64,

@@ -1,0 +1,41 @@
+//! What a scheme shows in a generic scene, which tells a scene that is too easy from an order that is mis-declared.
+
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+use super::{cell, prepare};
+use crate::gates::{Baseline, Control};
+use crate::scenes::Scene;
+use crate::simulate::Contestant;
+
+/// Generic scenes without torque, …
+const WITHOUT_TORQUE: &[&str] = &["free-asymmetric"];
+/// … and with it: three moments, products of inertia, a spin off every axis; the first that a scheme takes.
+const WITH_TORQUE: &[&str] = &["heavy-asymmetric-top", "tether-springs"];
+
+/// The controls of a campaign's schemes, each measured when it is first asked for. Clones share what was measured.
+#[derive(Clone, Default)]
+pub struct Controls {
+    found: Arc<Mutex<HashMap<(String, bool), Found>>>,
+}
+
+type Found = Arc<OnceLock<Option<Control>>>;
+
+impl Controls {
+    /// The control of a scheme, without torque or with it; `None` where it takes no such scene.
+    pub(super) fn of(&self, contestant: &Contestant, torque_free: bool) -> Option<Control> {
+        let key = (contestant.card.name.to_owned(), torque_free);
+        let found = self.found.lock().unwrap_or_else(PoisonError::into_inner).entry(key).or_default().clone();
+        found.get_or_init(|| measure(contestant, torque_free)).clone()
+    }
+}
+
+fn measure(contestant: &Contestant, torque_free: bool) -> Option<Control> {
+    let scenes = if torque_free { WITHOUT_TORQUE } else { WITH_TORQUE };
+    let mut taken = scenes.iter().filter_map(|name| Scene::find(name).ok());
+    let scene = taken.find(|scene| contestant.refusal(&scene.system).is_none())?;
+    let prepared = prepare(&scene);
+    let reference = prepared.reference.as_ref()?.as_ref().ok()?;
+    let cell = cell::measure(&scene, reference, contestant, &Baseline::default(), false, None);
+    Some(Control { verdicts: cell.verdicts })
+}
