@@ -5,6 +5,7 @@ use super::ladder::{APART, BAND, Evidence, Place, QuantityLadder, Rung};
 use super::past_break::goes_on_in;
 use super::rounding::{Adding, Rounding};
 use super::{ALL, Reading, Sight, errors, tolerance};
+use crate::model::forces::Law;
 use crate::model::{Quantity, Snapshot, System, difference};
 use crate::reference::Reference;
 use crate::regression::Ladder;
@@ -15,6 +16,8 @@ use crate::simulate::{Contestant, Form, Plan, Trajectory};
 const FEWEST_RUNGS: usize = 6;
 /// Further rungs of a ladder that carries no order, while its runs do not tell where they go.
 const MORE_RUNGS: usize = 3;
+/// Steps of its rungs, over those of the coarsest, where a force has a kink: about powers of two, and no two with a common factor.
+const PAST_A_KINK: [u64; FEWEST_RUNGS + MORE_RUNGS] = [1, 2, 5, 7, 17, 31, 67, 127, 257];
 /// Most rungs of a ladder.
 const MOST_RUNGS: usize = 20;
 /// Radians turned in a step of the coarsest rung, at most.
@@ -80,12 +83,13 @@ pub fn climb(
         giant_steps: Vec::new(),
         goes_on_in: None,
     };
+    let kink = !settle && system.forces.laws().iter().any(|law| matches!(law, Law::Ground(_)));
     let mut before = Vec::new();
     let mut earlier: Vec<Vec<QuantityLadder>> = Vec::new();
     // Rungs of one halving of h.
     let halving = if order < HIGH_ORDER { 1 } else { 2 };
     for index in 0..MOST_RUNGS {
-        let steps = steps_of_rung(first, index, order);
+        let steps = steps_of_rung(first, index, order, kink);
         // The steps of a solver that chooses its own are its tolerances' names alone.
         let dear = steps > contestant.most_steps() && contestant.card.tolerance_exponent() == 0;
         if dear && index >= FEWEST_RUNGS {
@@ -144,8 +148,12 @@ pub fn climb(
     evidence
 }
 
-/// Steps of a rung: halvings of h, and from the fourth order on their middles too, 3/2 and 4/3 times as many by turns.
-fn steps_of_rung(first: u64, index: usize, order: u32) -> u64 {
+/// Steps of a rung: halvings of h, and from the fourth order on their middles too, 3/2 and 4/3 times as many by turns. Where a force has
+/// a kink the ends of steps must not be the same from rung to rung: one that lies by chance at the kink makes one error in all of them.
+fn steps_of_rung(first: u64, index: usize, order: u32, kink: bool) -> u64 {
+    if kink {
+        return first * PAST_A_KINK.get(index).copied().unwrap_or(1 << index);
+    }
     if order < HIGH_ORDER {
         return first << index;
     }

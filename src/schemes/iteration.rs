@@ -21,17 +21,17 @@ pub(super) fn until_settled<M: Model>(
     model: &M,
     mut improve: impl FnMut() -> Result<f64, Broken>,
 ) -> Result<(), Broken> {
-    let (mut smallest, mut stale) = (f64::INFINITY, 0);
+    let (mut smallest, mut stale, mut residual) = (f64::INFINITY, 0, f64::INFINITY);
     for iteration in 1..=MOST {
         let change = improve()?;
         stale = if change < smallest { 0 } else { stale + 1 };
-        smallest = smallest.min(change);
+        (smallest, residual) = (smallest.min(change), change);
         if change <= ROUNDING || (change <= TOLERANCE && stale >= STALE) {
             model.solved(iteration);
             return Ok(());
         }
     }
-    Err(Broken::NoConvergence { iterations: MOST, residual: smallest, tolerance: TOLERANCE })
+    Err(Broken::NoConvergence { iterations: MOST, residual, tolerance: TOLERANCE })
 }
 
 #[cfg(test)]

@@ -4,12 +4,6 @@ use super::Deviation;
 
 pub(super) const KNOWN: &[Deviation] = &[
     Deviation {
-        reason: "the fixed-point iteration of the stages does not converge on the stiff ground at the steps of the ladder",
-        claim: "solves",
-        quantities: &[],
-        places: &[("bouncing-body", &["gauss-legendre-6"])],
-    },
-    Deviation {
         reason: "the body turns by so little that a few steps of the solver's first guess are the whole run at every tolerance",
         claim: "follows-tolerance",
         quantities: &[],
