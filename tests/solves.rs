@@ -1,6 +1,11 @@
 //! How fast implicit equations are solved: a wrong derivative gives the same steps, only later.
 
+use polhode::campaign::Campaign;
+use polhode::claim::Claim;
+use polhode::model::{Broken, Model};
+use polhode::record::Ruling;
 use polhode::scenes::Scene;
+use polhode::schemes::{Card, Scheme, Workspace};
 use polhode::simulate::{Contestant, Form, Plan};
 
 /// Iterations of one equation, in the mean over 16 steps; `None` of a scheme that solves none.
@@ -39,6 +44,56 @@ fn equations_are_solved_as_fast_in_any_unit_of_time() {
             fast.is_some() == slow.is_some() && apart <= 0.25,
             "{}: {fast:?} {slow:?}",
             contestant.card.name
+        );
+    }
+}
+
+/// Euler's rule that finds no solution: of a step larger than so many parts of 1e-9 s.
+struct Unsolved<const UP_TO: u32>;
+
+impl<const UP_TO: u32> Scheme for Unsolved<UP_TO> {
+    const CARD: Card = Card {
+        name: "unsolved",
+        title: "finds no solution",
+        family: "test",
+        source: "none",
+        claims: &[Claim::Order(1), Claim::Evaluations(1)],
+    };
+    const STATES: usize = 0;
+
+    fn step<M: Model>(
+        model: &M,
+        t: f64,
+        h: f64,
+        from: &M::State,
+        to: &mut M::State,
+        _work: &mut Workspace<M>,
+    ) -> Result<(), Broken> {
+        if h > f64::from(UP_TO) * 1e-9 {
+            return Err(Broken::NoConvergence { iterations: 100, residual: 1.0, tolerance: 1e-12 });
+        }
+        model.advance(from, h, &model.rates(t, from)?, to);
+        Ok(())
+    }
+}
+
+#[test]
+fn a_run_that_breaks_at_every_step_of_the_ladder_is_undecided_only_where_a_smaller_step_gets_past() {
+    let rulings = |contestant: Contestant| {
+        let scene = Scene::find("free-asymmetric").expect("built in");
+        let verdicts = Campaign::of(vec![scene], vec![contestant]).run().verdicts;
+        let own = verdicts.into_iter().filter(|v| v.scheme == "unsolved" && v.claim == "order");
+        own.map(|verdict| (verdict.verdict, verdict.detail)).collect::<Vec<_>>()
+    };
+    let never = rulings(Contestant::new::<Unsolved<0>>());
+    assert!(!never.is_empty() && never.iter().all(|(ruling, _)| *ruling == Ruling::Broken), "{never:?}");
+    // The ladder ends at a million steps, of 1e-5 s and more.
+    let late = rulings(Contestant::new::<Unsolved<1000>>());
+    assert!(late.len() == never.len(), "{late:?}");
+    for (ruling, detail) in late {
+        assert!(
+            ruling == Ruling::Inconclusive && detail.contains("it goes on there in steps of"),
+            "{detail}"
         );
     }
 }

@@ -7,7 +7,8 @@
 
 use nalgebra::Vector3;
 
-use super::rounding::{self, Adding, roundings, shaken_bodies};
+use super::moved_starts::shaken_bodies;
+use super::rounding::{self, Adding, roundings};
 use super::{Place, Rung, larger, steady_rung};
 use crate::model::body::Shape;
 use crate::model::{Change, Quantity, Snapshot, System, difference, retold};

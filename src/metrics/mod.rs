@@ -4,6 +4,7 @@
 //! end and the largest over the run; what does not apply to a scene is `None`, never a number.
 
 mod climb;
+mod drawn;
 mod drift;
 mod energy;
 mod flips;
@@ -12,6 +13,7 @@ mod invariance;
 mod invariants;
 mod ladder;
 mod momentum;
+mod moved_starts;
 mod past_break;
 mod points;
 mod reversal;

@@ -1,7 +1,7 @@
 //! The note as written, on every mass point, beside the least model: do they agree, does the body stay rigid, is
 //! L untouched?
 
-use super::rounding::shaken_bodies;
+use super::moved_starts::shaken_bodies;
 use crate::model::forces::Law;
 use crate::model::{Quantity, Snapshot, System, difference};
 use crate::rotation;

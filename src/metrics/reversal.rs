@@ -2,7 +2,7 @@
 //!
 //! A symmetric scheme, Φ₋ₕ Φₕ = 1, returns to its start to rounding; any other is off by its own error.
 
-use super::rounding::shaken_starts;
+use super::moved_starts::shaken_starts;
 use super::{Rung, larger, steady_rung};
 use crate::model::{Quantity, Snapshot, System, difference};
 use crate::simulate::{Contestant, Form, Plan};

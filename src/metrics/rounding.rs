@@ -7,7 +7,8 @@
 //! they end from one another is what rounding does, however its parts add up. From the steps of that run to more of them it grows as the
 //! root of their number or, where steps round alike for a while without being the same, as the number itself: the larger one is
 //! taken, and where an error is clear of its floor by the one and not by the other, the runs are drawn anew at that very step.
-//! More than n roundings, and what n solves of an implicit equation leave, there cannot be: beyond that a difference is a defect.
+//! More than n roundings, and what n solves of an implicit equation leave, there cannot be: beyond that a difference is a defect. A run
+//! whose start is a few rounding units off has other roundings too, and no defect shows there but as one, so that it counts as it is.
 //!
 //! In steps of many radians a rounding within the step may grow by powers of the angle before the step is over. There the
 //! whole rounding is measured: the same run in turned worlds differs from itself by nothing else.
@@ -16,16 +17,16 @@ use nalgebra::Vector3;
 
 use super::Reading;
 use super::climb::apart;
+use super::drawn::Drawn;
+use super::moved_starts::{DIRECTIONS, displaced, reach};
 use crate::model::body::Shape;
-use crate::model::{Change, Snapshot, Start, System, retold};
+use crate::model::{Snapshot, System};
 use crate::reference::Reference;
 use crate::rotation;
 use crate::simulate::{Contestant, Form, Plan};
 
 /// Sizes of the displacements that measure how roundings grow, relative: the first that does not grow to the size of the motion.
 const DISPLACEMENTS: [f64; 3] = [1e-7, 1e-10, 1e-13];
-/// Displacement that changes the last digits of everything and nothing else, relative.
-const SHAKE: f64 = 4.0 * f64::EPSILON;
 /// Part of the motion's size from which on a difference no longer grows as a small one would.
 const SATURATED: f64 = 0.05;
 /// Turned worlds that roundings are measured in: the largest of a few samples is too small as often as they are few.
@@ -36,13 +37,8 @@ pub(super) const TURNS: [Vector3<f64>; 5] = [
     Vector3::new(-1.1, -0.6, 0.5),
     Vector3::new(0.3, 1.6, -1.4),
 ];
-/// Directions of displacement, and turned worlds.
-const DIRECTIONS: usize = 3;
 /// What the iteration of an implicit equation may leave, relative.
 pub(super) const SOLVED_TO: f64 = 1e-12;
-/// Turned worlds that the roundings of a ladder are drawn in: none of those that gates judge by.
-const DRAWN_IN: [Vector3<f64>; 3] =
-    [Vector3::new(1.2, 0.9, -0.5), Vector3::new(-0.7, 1.4, 1.1), Vector3::new(0.5, -0.4, -2.3)];
 /// Roundings of a step, at most, that are all of one sign: those of Ω = I⁻¹ L, of the rotation and of its product, some sums of three
 /// each.
 const A_STEP: f64 = 8.0;
@@ -55,15 +51,6 @@ pub(super) struct Rounding {
     growth: [Reading; 6],
     drawn: Drawn,
     solves_of_step: f64,
-}
-
-/// How far runs whose every rounding is another end from one another.
-struct Drawn {
-    steps: u64,
-    /// In turned worlds.
-    turned: [Reading; 6],
-    /// Started a few rounding units off.
-    shaken: [Reading; 6],
 }
 
 impl Rounding {
@@ -127,65 +114,6 @@ impl Rounding {
     }
 }
 
-impl Drawn {
-    fn of(
-        contestant: &Contestant,
-        system: &System,
-        motion: &[Snapshot],
-        plan: &Plan,
-        own: &[Snapshot],
-    ) -> Drawn {
-        let turned = in_turned_worlds(contestant, system, plan, own);
-        let shaken = shaken(contestant, system, motion, plan, own);
-        Drawn { steps: plan.steps, turned, shaken }
-    }
-}
-
-/// How far runs that start a few rounding units off end from `own`, at most: after the first step every rounding is another.
-fn shaken(
-    contestant: &Contestant,
-    system: &System,
-    motion: &[Snapshot],
-    plan: &Plan,
-    own: &[Snapshot],
-) -> [Reading; 6] {
-    let mut largest = [NOTHING; 6];
-    if contestant.card.tolerance_exponent() > 0 {
-        return largest;
-    }
-    for system in shaken_starts(system, motion, DIRECTIONS) {
-        let run = contestant.run(&system, Form::Least, plan);
-        if run.outcome.broken.is_some() {
-            continue;
-        }
-        for (largest, by) in largest.iter_mut().zip(apart(&system, &run.states, own)) {
-            *largest = Reading { end: largest.end.max(by.end), max: largest.max.max(by.max) };
-        }
-    }
-    largest
-}
-
-/// The system started a few rounding units off, in so many ways: after the first step every rounding is another, and nothing else is.
-pub(super) fn shaken_starts(
-    system: &System,
-    motion: &[Snapshot],
-    ways: usize,
-) -> impl Iterator<Item = System> {
-    (0..ways).map(move |way| displaced(system, motion, way, SHAKE))
-}
-
-/// The same with every point of the body as far off: what is summed over them rounds to something else too.
-pub(super) fn shaken_bodies(
-    system: &System,
-    motion: &[Snapshot],
-    ways: usize,
-) -> impl Iterator<Item = System> {
-    (0..ways).map(move |way| {
-        let moved = retold::moved(system, SHAKE, way);
-        displaced(moved.as_ref().unwrap_or(system), motion, way, SHAKE)
-    })
-}
-
 /// How roundings of one step add to those of another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Adding {
@@ -193,27 +121,6 @@ pub(super) enum Adding {
     Unlike,
     /// As their number.
     Alike,
-}
-
-/// How far runs in turned worlds end from `own`, at most: the same motion, and every rounding is another. A solver that chooses its own
-/// steps chooses others there, and what it differs by is no rounding.
-fn in_turned_worlds(contestant: &Contestant, system: &System, plan: &Plan, own: &[Snapshot]) -> [Reading; 6] {
-    let mut largest = [NOTHING; 6];
-    if contestant.card.tolerance_exponent() > 0 {
-        return largest;
-    }
-    for turn in DRAWN_IN {
-        let change = Change { turn: rotation::turn(&turn), ..Change::none() };
-        let run = contestant.run(&change.apply(system), Form::Least, plan);
-        if run.outcome.broken.is_some() {
-            continue;
-        }
-        let states: Vec<Snapshot> = run.states.iter().map(|state| change.undo(state)).collect();
-        for (largest, by) in largest.iter_mut().zip(apart(system, &states, own)) {
-            *largest = Reading { end: largest.end.max(by.end), max: largest.max.max(by.max) };
-        }
-    }
-    largest
 }
 
 /// How many times larger a relative displacement of the start is at the end and at its largest, per quantity. `motion` says how
@@ -255,32 +162,6 @@ fn growth_beside(
         }
     }
     grown
-}
-
-/// How far the body gets [m].
-fn reach(system: &System, motion: &[Snapshot]) -> f64 {
-    motion.iter().map(|s| s.position.amax()).fold(system.body.extent(), f64::max)
-}
-
-/// The system started a little off in everything that rounding touches, in one of a few fixed directions and
-/// their opposites.
-fn displaced(system: &System, motion: &[Snapshot], direction: usize, displacement: f64) -> System {
-    let directions: [Vector3<f64>; DIRECTIONS] =
-        [Vector3::new(0.36, 0.48, 0.8), Vector3::new(0.8, -0.6, 0.0), Vector3::new(-0.48, -0.64, 0.6)];
-    let sign = if direction < DIRECTIONS { displacement } else { -displacement };
-    let along = |scale: f64, shift: usize| directions[(direction + shift) % DIRECTIONS] * (scale * sign);
-    let largest = |value: fn(&Snapshot) -> f64| motion.iter().map(value).fold(0.0, f64::max);
-    // Forces that read the velocities of points round off as those do, though the centre of mass stand still.
-    let of_points = system.forces.read_velocity();
-    let fastest = largest(|s| rotation::length(&s.angular_velocity)) * system.body.extent();
-    let velocity = largest(|s| s.velocity.amax()).max(if of_points { fastest } else { 0.0 });
-    let change = Start {
-        position: along(reach(system, motion), 1),
-        velocity: along(velocity, 2),
-        angular_momentum: along(largest(|s| s.angular_momentum.amax()), 1),
-        orientation: system.start.orientation,
-    };
-    system.displaced(&along(1.0, 0), &change)
 }
 
 /// What the roundings of `steps` steps over `turned` radians, of the body and of the forces' own clock, add up to, relative, for each
