@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use polhode::campaign::Campaign;
-use polhode::gates::{self, Baseline};
+use polhode::gates;
 use polhode::record::{Records, Ruling};
 use polhode::scenes;
 use polhode::simulate::Contestant;

@@ -19,16 +19,21 @@ pub(super) fn judge(case: &Case, order: u32) -> Vec<Verdict> {
         return std::iter::once(order).chain(judge_consistency(case)).collect();
     }
     let mut verdicts = Vec::new();
-    for ladder in &case.evidence.ladders {
-        if promised_exact(case, ladder.quantity) || does_not_turn(case, ladder.quantity) {
-            continue;
-        }
+    for ladder in judged_ladders(case) {
         let name = format!("{}-{}", ladder.quantity.name(), ladder.place.suffix());
         verdicts.push(judge_slope(case, order, ladder, &name));
         verdicts.extend(judge_constant(case, ladder, &name));
     }
     excuse_easy_quantities(case, order, &mut verdicts);
     verdicts
+}
+
+/// Those of quantities that are not promised to be exact.
+fn judged_ladders<'a>(case: &'a Case) -> impl Iterator<Item = &'a QuantityLadder> {
+    let judged = |ladder: &&QuantityLadder| {
+        !promised_exact(case, ladder.quantity) && !does_not_turn(case, ladder.quantity)
+    };
+    case.evidence.ladders.iter().filter(judged)
 }
 
 /// A slope above the band says that the claimed order is too low, or that its term is too small to be seen in one quantity of one
@@ -47,9 +52,10 @@ fn excuse_easy_quantities(case: &Case, order: u32, verdicts: &mut [Verdict]) {
         let shown_in = case.control.and_then(|control| control.shows("order", ""));
         shown_in.map(|scene| format!("; {scene} shows the claimed order"))
     };
-    let unsettled = ladders.iter().filter(|ladder| ladder.ladder == Ladder::Unsettled).count();
-    let open = 2 * unsettled >= ladders.len();
     let count = |ruling| verdicts.iter().filter(|v| v.claim == "order" && v.verdict == ruling).count();
+    let judged = count(Ruling::Pass) + count(Ruling::Fail) + count(Ruling::Inconclusive);
+    let unsettled = judged_ladders(case).filter(|ladder| ladder.ladder == Ladder::Unsettled).count();
+    let open = 2 * unsettled >= judged;
     let outnumbered = count(Ruling::Pass) > count(Ruling::Fail);
     for verdict in verdicts.iter_mut().filter(|v| v.claim == "order" && v.verdict == Ruling::Fail) {
         let excuse = match (verdict.low, verdict.high) {

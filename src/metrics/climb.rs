@@ -29,7 +29,7 @@ const FEWEST_SAMPLES: usize = 8;
 /// A solver that chooses its own steps is compared at this many.
 const SAMPLES_OF_OWN_STEPS: usize = 4;
 /// Change of a slope by one more rung from which on the ladder may still become something else.
-pub const STANDS: f64 = 0.02;
+const STANDS: f64 = 0.02;
 /// Slope below which errors hardly fall.
 const FLAT: f64 = 0.5;
 /// Steps of the run that rounding is measured in, over those of the coarsest rung, …

@@ -25,7 +25,7 @@ mod tolerance;
 use crate::model::{Quantity, Snapshot, System, difference};
 use crate::reference::Reference;
 
-pub use climb::{STANDS, climb};
+pub use climb::climb;
 pub use drift::{Class, EnergyDrift, EnergyRung, energy_drift};
 pub use flips::{FlipFinder, FlipRung, Flips, TrueFlips, flips, true_flips, tumbling_axis};
 pub use invariance::{OtherWorld, other_worlds};

@@ -1,6 +1,6 @@
 //! What excuses a slope outside the band: undecided then, and never a pass.
 
-use polhode::claim::{Claim, EnergyOfFreeBody, Quantity};
+use polhode::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use polhode::gates::Control;
 use polhode::metrics::Class;
 use polhode::record::Ruling::{self, Broken, Fail, Inconclusive, Pass};
@@ -138,4 +138,21 @@ fn a_slope_below_the_band_is_excused_only_where_half_of_the_quantities_have_not_
     let made = made.with_errors(Quantity::Velocity, &power(1.0), 1e-15);
     let made = made.with_errors(Quantity::Orientation, &unsettled, 1e-15);
     assert_eq!(made.ruling("order", "position-end"), Fail);
+}
+
+#[test]
+fn quantities_that_are_promised_exact_are_none_of_those_that_have_not_settled() {
+    const EXACT: &[Claim] = &[
+        Claim::Order(2),
+        Claim::Exact(Quantity::Position, When::NoForce),
+        Claim::Exact(Quantity::Velocity, When::NoForce),
+    ];
+    let made = Made::new("free-asymmetric", EXACT)
+        .with_errors(Quantity::Position, &[0.0; 6], 1e-15)
+        .with_errors(Quantity::Velocity, &[0.0; 6], 1e-15)
+        .with_errors(Quantity::Orientation, &power(1.0), 1e-15)
+        .with_errors(Quantity::AngularVelocity, &[1.0, 3.0, 1.0, 3.0, 1.0, 3.0], 1e-15);
+    assert_eq!(made.ruling("order", "orientation-end"), Inconclusive);
+    let made = made.with_errors(Quantity::AngularMomentum, &power(1.0), 1e-15);
+    assert_eq!(made.ruling("order", "orientation-end"), Fail);
 }
