@@ -38,8 +38,8 @@ fn judged_ladders<'a>(case: &'a Case) -> impl Iterator<Item = &'a QuantityLadder
 
 /// A slope above the band says that the claimed order is too low, or that its term is too small to be seen in one quantity of one
 /// scene. Where another quantity of the same runs shows that order, its slope in the band or its term under the next, or a generic
-/// scene does, it is not too low: undecided. So is a slope below the band where half of the quantities have not settled; and
-/// one that rests between the order below and the claimed one where more quantities of the same runs hold that than fall short of it.
+/// scene does, it is not too low: undecided. So is a slope below the band where half of the quantities have not settled, or nobody knows the
+/// motion; and one that rests between the order below and the claimed one where more quantities of the same runs hold that than fall short of it.
 fn excuse_easy_quantities(case: &Case, order: u32, verdicts: &mut [Verdict]) {
     let (bottom, top) = (f64::from(order) - BAND, f64::from(order) + BAND);
     let shows = |ladder: &QuantityLadder| {
@@ -56,10 +56,14 @@ fn excuse_easy_quantities(case: &Case, order: u32, verdicts: &mut [Verdict]) {
     let judged = count(Ruling::Pass) + count(Ruling::Fail) + count(Ruling::Inconclusive);
     let unsettled = judged_ladders(case).filter(|ladder| ladder.ladder == Ladder::Unsettled).count();
     let open = 2 * unsettled >= judged;
+    let lost = case.evidence.rungs.last().is_some_and(|rung| rung.is_lost(case.system));
     let outnumbered = count(Ruling::Pass) > count(Ruling::Fail);
     for verdict in verdicts.iter_mut().filter(|v| v.claim == "order" && v.verdict == Ruling::Fail) {
         let excuse = match (verdict.low, verdict.high) {
             (Some(low), _) if low > top => excuse_above.as_deref(),
+            _ if lost => Some(
+                "; rounding and reference leave more than a tenth of the body open: nobody knows this motion",
+            ),
             _ if open => Some("; half of the quantities of the same runs have not settled"),
             (Some(low), Some(high)) if outnumbered && low > bottom - 1.0 + 2.0 * BAND && high < bottom => {
                 Some("; at no whole order, and more quantities of the same runs hold the claimed one")

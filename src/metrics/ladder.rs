@@ -82,6 +82,12 @@ impl Rung {
         })
     }
 
+    /// Whether rounding and the reference leave more of a body point open than a tenth of the body's size: nobody knows the motion then.
+    pub fn is_lost(&self, system: &System) -> bool {
+        let place = Quantity::ALL.iter().position(|quantity| *quantity == Quantity::BodyPoint);
+        place.is_some_and(|index| self.floors[index].max > FOLLOWS * system.body.extent())
+    }
+
     /// Whether the run follows the truth, to a tenth of the body's size.
     pub(super) fn follows(&self, system: &System) -> bool {
         let place = Quantity::ALL.iter().position(|quantity| *quantity == Quantity::BodyPoint);

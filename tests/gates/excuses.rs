@@ -7,7 +7,7 @@ use polhode::record::Ruling::{self, Broken, Fail, Inconclusive, Pass};
 use polhode::record::Verdict;
 use polhode::regression::Fit;
 
-use super::case::Made;
+use super::case::{Made, index};
 use super::energies::drift;
 use super::orders::{SECOND, power};
 
@@ -155,4 +155,15 @@ fn quantities_that_are_promised_exact_are_none_of_those_that_have_not_settled() 
     assert_eq!(made.ruling("order", "orientation-end"), Inconclusive);
     let made = made.with_errors(Quantity::AngularMomentum, &power(1.0), 1e-15);
     assert_eq!(made.ruling("order", "orientation-end"), Fail);
+}
+
+#[test]
+fn a_slope_below_the_band_is_excused_where_nobody_knows_the_motion() {
+    let ruling = |open: f64| {
+        let mut made = Made::new("kovalevskaya", SECOND).with_errors(Quantity::Position, &power(1.0), 1e-15);
+        let last = made.evidence.rungs.last_mut().expect("a rung");
+        last.floors[index(Quantity::BodyPoint)].max = open * made.scene.system.body.extent();
+        made.ruling("order", "position-end")
+    };
+    assert_eq!([ruling(0.0999), ruling(0.1001)], [Fail, Inconclusive]);
 }
