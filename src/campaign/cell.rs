@@ -4,7 +4,6 @@ use super::{Controls, rows};
 use crate::claim::Claim;
 use crate::gates::{self, Baseline, Case};
 use crate::metrics::{self, EnergyDrift, Evidence};
-use crate::model::System;
 use crate::record::stability::{LinearLimit, Stability};
 use crate::record::{Drift, Measurement, Order, Series, Verdict};
 use crate::reference::Reference;
@@ -29,27 +28,21 @@ pub(super) struct Cell {
     pub(super) reduction: Option<f64>,
 }
 
-/// Measures and judges. `controls` tell what a higher order than the claimed one means; a control has none itself.
+/// Measures and judges. `controls` tell what another order than the claimed one means.
 pub(super) fn measure(
     scene: &Scene,
     reference: &Reference,
     contestant: &Contestant,
     baseline: &Baseline,
     series: bool,
-    controls: Option<&Controls>,
+    controls: &Controls,
 ) -> Cell {
     let system = &scene.system;
     if let Some(reason) = contestant.refusal(system) {
         return refused(scene, contestant, &reason);
     }
     let fastest = fastest(reference);
-    let evidence = metrics::climb(
-        contestant,
-        system,
-        reference,
-        claimed_order(contestant, system),
-        scene.not_for_order.is_none(),
-    );
+    let evidence = ladder(scene, reference, contestant);
     if let Some(reason) = evidence.refusal() {
         return refused(scene, contestant, reason);
     }
@@ -73,24 +66,19 @@ pub(super) fn measure(
     };
     let step_limit = step_limit(scene, contestant);
     let mut case = Case {
-        scene: &scene.name,
         not_for_order: scene.not_for_order.as_deref(),
-        system,
-        card: &contestant.card,
-        evidence: &evidence,
         drift: drift.as_ref(),
         points: points.as_ref(),
         flips: flips.as_ref(),
         reversal: reversal.as_ref(),
         symplecticity: symplecticity.as_ref(),
         other_worlds: &other_worlds,
-        baseline,
         step_limit: step_limit.as_ref().map(|(stored, measured)| (*stored, measured)),
-        control: None,
+        ..Case::of(&scene.name, system, &contestant.card, &evidence, baseline)
     };
     let mut verdicts = gates::judge(&case);
-    if gates::ask_for_control(&case, &verdicts)
-        && let Some(control) = controls.and_then(|controls| controls.of(contestant, system.torque_free()))
+    if gates::ask_for_control(&verdicts)
+        && let Some(control) = controls.of(contestant, system.torque_free())
     {
         case.control = Some(&control);
         verdicts = gates::judge(&case);
@@ -116,9 +104,20 @@ fn step_limit(scene: &Scene, contestant: &Contestant) -> Option<(&'static Linear
     Some((stored, measured))
 }
 
-/// The order that the scheme claims in the scene.
-fn claimed_order(contestant: &Contestant, system: &System) -> u32 {
-    if system.torque_free() { contestant.card.order_without_torque() } else { contestant.card.order() }
+/// The ladder of the order that the scheme claims in the scene.
+fn ladder(scene: &Scene, reference: &Reference, contestant: &Contestant) -> Evidence {
+    let (system, card) = (&scene.system, &contestant.card);
+    let order = if system.torque_free() { card.order_without_torque() } else { card.order() };
+    metrics::climb(contestant, system, reference, order, scene.not_for_order.is_none())
+}
+
+/// The verdicts that a control is asked for: on orders, of errors and of the energy's rate.
+pub(super) fn orders_alone(scene: &Scene, reference: &Reference, contestant: &Contestant) -> Vec<Verdict> {
+    let evidence = ladder(scene, reference, contestant);
+    let drift = metrics::energy_drift(contestant, &scene.system, scene.duration);
+    let baseline = Baseline::default();
+    let of_ladder = Case::of(&scene.name, &scene.system, &contestant.card, &evidence, &baseline);
+    gates::judge_orders(&Case { drift: drift.as_ref(), ..of_ladder })
 }
 
 /// A scheme that cannot take the scene: not applicable, with the reason, for every claim.

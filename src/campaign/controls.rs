@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use super::{cell, prepare};
-use crate::gates::{Baseline, Control};
+use crate::gates::Control;
 use crate::scenes::Scene;
 use crate::simulate::Contestant;
 
@@ -36,6 +36,5 @@ fn measure(contestant: &Contestant, torque_free: bool) -> Option<Control> {
     let scene = taken.find(|scene| contestant.refusal(&scene.system).is_none())?;
     let prepared = prepare(&scene);
     let reference = prepared.reference.as_ref()?.as_ref().ok()?;
-    let cell = cell::measure(&scene, reference, contestant, &Baseline::default(), false, None);
-    Some(Control { verdicts: cell.verdicts })
+    Some(Control { verdicts: cell::orders_alone(&scene, reference, contestant) })
 }

@@ -94,8 +94,14 @@ impl Campaign<'_> {
             return Some(cell::refused(prepared.scene, contestant, reason));
         }
         let reference = prepared.reference.as_ref()?.as_ref().ok()?;
-        let controls = Some(&self.controls);
-        Some(cell::measure(prepared.scene, reference, contestant, &self.baseline, self.series, controls))
+        Some(cell::measure(
+            prepared.scene,
+            reference,
+            contestant,
+            &self.baseline,
+            self.series,
+            &self.controls,
+        ))
     }
 
     fn records(&self, scenes: Vec<(Prepared, Vec<Option<cell::Cell>>)>) -> Records {

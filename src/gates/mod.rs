@@ -7,6 +7,7 @@ mod energy;
 mod equivariant;
 mod evaluations;
 mod exact;
+mod excuses;
 mod flip_times;
 mod follows_tolerance;
 mod order;
@@ -20,7 +21,7 @@ mod symplectic;
 mod vertical_momentum;
 
 use crate::claim::{Claim, Quantity, When};
-use crate::metrics::{BAND, EnergyDrift, Evidence, Flips, OtherWorld, PointRun, Reversal, Symplecticity};
+use crate::metrics::{EnergyDrift, Evidence, Flips, OtherWorld, PointRun, Reversal, Symplecticity};
 use crate::model::System;
 use crate::record::stability::LinearLimit;
 use crate::record::{Records, Ruling, Verdict};
@@ -61,8 +62,36 @@ pub struct Case<'a> {
     pub control: Option<&'a Control>,
 }
 
+impl<'a> Case<'a> {
+    /// A ladder and nothing else.
+    pub fn of(
+        scene: &'a str,
+        system: &'a System,
+        card: &'a Card,
+        evidence: &'a Evidence,
+        baseline: &'a Baseline,
+    ) -> Case<'a> {
+        Case {
+            scene,
+            not_for_order: None,
+            system,
+            card,
+            evidence,
+            drift: None,
+            points: None,
+            flips: None,
+            reversal: None,
+            symplecticity: None,
+            other_worlds: &[],
+            baseline,
+            step_limit: None,
+            control: None,
+        }
+    }
+}
+
 /// A scheme in a generic scene. In another an order above the claimed one says that the scene is too easy, where the claimed order
-/// holds here, and that the claim is too low, where it does not.
+/// holds here, and that the claim is too low, where it does not; one below it may be no order yet.
 #[derive(Clone, Debug)]
 pub struct Control {
     /// What the gates said there, without a control of their own.
@@ -82,12 +111,10 @@ impl Control {
     }
 }
 
-/// Whether a control may tell more of what failed: an order above the claimed one.
-pub fn ask_for_control(case: &Case, verdicts: &[Verdict]) -> bool {
-    let top = f64::from(order_here(case, case.card.order())) + BAND;
-    let above = |v: &Verdict| v.claim == "order" && v.low.is_some_and(|low| low > top);
+/// Whether a control may tell more of what failed: an order of an error or of an energy's rate.
+pub fn ask_for_control(verdicts: &[Verdict]) -> bool {
     let open = |v: &Verdict| v.verdict == Ruling::Fail && v.known_deviation.is_none();
-    verdicts.iter().any(|v| open(v) && (above(v) || v.quantity == energy::RATE))
+    verdicts.iter().any(|v| open(v) && (v.claim == "order" || v.quantity == energy::RATE))
 }
 
 /// Error constants on record, by scene, scheme and quantity.
@@ -157,6 +184,19 @@ pub fn judge(case: &Case) -> Vec<Verdict> {
     verdicts.extend(stability::judge(case));
     verdicts.extend(judge_without_order(case));
     deviations::apply(&mut verdicts);
+    verdicts
+}
+
+/// The verdicts on orders alone, of errors and of the energy's rate, as they are without a control.
+pub fn judge_orders(case: &Case) -> Vec<Verdict> {
+    let mut verdicts = Vec::new();
+    for claim in case.card.claims {
+        match *claim {
+            Claim::Order(order) => verdicts.extend(order::judge(case, order_here(case, order))),
+            Claim::Energy(energy) => verdicts.extend(energy::judge(case, energy)),
+            _ => {}
+        }
+    }
     verdicts
 }
 

@@ -1,7 +1,7 @@
 //! The order gate: the 95 % interval of the fitted slope inside p ± 0.15, and the error constant within 5 % of the
 //! one on record.
 
-use super::{Case, broke, promised_exact, ruled};
+use super::{Case, broke, excuses, promised_exact, ruled};
 use crate::metrics::{APART, BAND, QuantityLadder};
 use crate::model::Quantity;
 use crate::model::body::Shape;
@@ -18,63 +18,23 @@ pub(super) fn judge(case: &Case, order: u32) -> Vec<Verdict> {
         let order = ruled(case, "order", "all", Ruling::NotApplicable, reason);
         return std::iter::once(order).chain(judge_consistency(case)).collect();
     }
-    let mut verdicts = Vec::new();
-    for ladder in judged_ladders(case) {
-        let name = format!("{}-{}", ladder.quantity.name(), ladder.place.suffix());
-        verdicts.push(judge_slope(case, order, ladder, &name));
-        verdicts.extend(judge_constant(case, ladder, &name));
-    }
-    excuse_easy_quantities(case, order, &mut verdicts);
-    verdicts
+    let judged = judged_ladders(case);
+    let name = |ladder: &QuantityLadder| format!("{}-{}", ladder.quantity.name(), ladder.place.suffix());
+    let mut slopes: Vec<Verdict> =
+        judged.iter().map(|ladder| judge_slope(case, order, ladder, &name(ladder))).collect();
+    excuses::apply(case, order, &judged, &mut slopes);
+    let with_constant = |(slope, ladder): (Verdict, &&QuantityLadder)| {
+        std::iter::once(slope).chain(judge_constant(case, ladder, &name(ladder)))
+    };
+    slopes.into_iter().zip(&judged).flat_map(with_constant).collect()
 }
 
 /// Those of quantities that are not promised to be exact.
-fn judged_ladders<'a>(case: &'a Case) -> impl Iterator<Item = &'a QuantityLadder> {
+fn judged_ladders<'a>(case: &'a Case) -> Vec<&'a QuantityLadder> {
     let judged = |ladder: &&QuantityLadder| {
         !promised_exact(case, ladder.quantity) && !does_not_turn(case, ladder.quantity)
     };
-    case.evidence.ladders.iter().filter(judged)
-}
-
-/// A slope above the band says that the claimed order is too low, or that its term is too small to be seen in one quantity of one
-/// scene. Where another quantity of the same runs shows that order, its slope in the band or its term under the next, or a generic
-/// scene does, it is not too low: undecided. So is a slope below the band where half of the quantities have not settled, or nobody knows the
-/// motion; and one that rests between the order below and the claimed one where more quantities of the same runs hold that than fall short of it.
-fn excuse_easy_quantities(case: &Case, order: u32, verdicts: &mut [Verdict]) {
-    let (bottom, top) = (f64::from(order) - BAND, f64::from(order) + BAND);
-    let shows = |ladder: &QuantityLadder| {
-        ladder.fit().is_some_and(|fit| (bottom..=top).contains(&fit.slope)) || ladder.is_on_its_way(order)
-    };
-    let ladders = &case.evidence.ladders;
-    let excuse_above = if ladders.iter().any(shows) {
-        Some("; other quantities of the same runs show the claimed order".to_owned())
-    } else {
-        let shown_in = case.control.and_then(|control| control.shows("order", ""));
-        shown_in.map(|scene| format!("; {scene} shows the claimed order"))
-    };
-    let count = |ruling| verdicts.iter().filter(|v| v.claim == "order" && v.verdict == ruling).count();
-    let judged = count(Ruling::Pass) + count(Ruling::Fail) + count(Ruling::Inconclusive);
-    let unsettled = judged_ladders(case).filter(|ladder| ladder.ladder == Ladder::Unsettled).count();
-    let open = 2 * unsettled >= judged;
-    let lost = case.evidence.rungs.last().is_some_and(|rung| rung.is_lost(case.system));
-    let outnumbered = count(Ruling::Pass) > count(Ruling::Fail);
-    for verdict in verdicts.iter_mut().filter(|v| v.claim == "order" && v.verdict == Ruling::Fail) {
-        let excuse = match (verdict.low, verdict.high) {
-            (Some(low), _) if low > top => excuse_above.as_deref(),
-            _ if lost => Some(
-                "; rounding and reference leave more than a tenth of the body open: nobody knows this motion",
-            ),
-            _ if open => Some("; half of the quantities of the same runs have not settled"),
-            (Some(low), Some(high)) if outnumbered && low > bottom - 1.0 + 2.0 * BAND && high < bottom => {
-                Some("; at no whole order, and more quantities of the same runs hold the claimed one")
-            }
-            _ => None,
-        };
-        if let Some(excuse) = excuse {
-            verdict.verdict = Ruling::Inconclusive;
-            verdict.detail += excuse;
-        }
-    }
+    case.evidence.ladders.iter().filter(judged).collect()
 }
 
 /// Where no order applies, a scheme must at least not converge to another motion. At order p and halved steps two runs differ by

@@ -80,20 +80,7 @@ fn judge_against(change: fn(&mut Reference), measure: Option<planted::Measure>, 
     if let Some(measure) = measure {
         evidence = measured::mismeasured(&contestant, &scene.system, &reference, 2, evidence, measure);
     }
-    gates::judge(&Case {
-        scene: &scene.name,
-        not_for_order: scene.not_for_order.as_deref(),
-        system: &scene.system,
-        card: &contestant.card,
-        evidence: &evidence,
-        drift: None,
-        points: None,
-        flips: None,
-        reversal: None,
-        symplecticity: None,
-        other_worlds: &[],
-        baseline: &Baseline::built_in(),
-        step_limit: None,
-        control: None,
-    })
+    let baseline = Baseline::built_in();
+    let of_ladder = Case::of(&scene.name, &scene.system, &contestant.card, &evidence, &baseline);
+    gates::judge(&Case { not_for_order: scene.not_for_order.as_deref(), ..of_ladder })
 }

@@ -14,6 +14,7 @@ use polhode::schemes::Card;
 use polhode::simulate::{Break, Outcome};
 
 /// What a case borrows.
+#[derive(Clone)]
 pub struct Made {
     pub scene: Scene,
     pub not_for_order: Option<&'static str>,
@@ -103,25 +104,21 @@ impl Made {
 
     /// Whether the verdicts ask for a control.
     pub fn asks_for_control(&self) -> bool {
-        gates::ask_for_control(&self.case(), &self.judge())
+        gates::ask_for_control(&self.judge())
     }
 
     fn case(&self) -> Case<'_> {
         Case {
-            scene: &self.scene.name,
             not_for_order: self.not_for_order,
-            system: &self.scene.system,
-            card: &self.card,
-            evidence: &self.evidence,
             drift: self.drift.as_ref(),
             points: self.points.as_ref(),
             flips: self.flips.as_ref(),
             reversal: self.reversal.as_ref(),
             symplecticity: self.symplecticity.as_ref(),
             other_worlds: &self.other_worlds,
-            baseline: &self.baseline,
             step_limit: self.step_limit.as_ref().map(|(stored, measured)| (stored, measured)),
             control: self.control.as_ref(),
+            ..Case::of(&self.scene.name, &self.scene.system, &self.card, &self.evidence, &self.baseline)
         }
     }
 
