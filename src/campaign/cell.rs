@@ -65,7 +65,7 @@ pub(super) fn measure(
         Vec::new()
     };
     let step_limit = step_limit(scene, contestant);
-    let mut case = Case {
+    let case = Case {
         not_for_order: scene.not_for_order.as_deref(),
         drift: drift.as_ref(),
         points: points.as_ref(),
@@ -77,11 +77,9 @@ pub(super) fn measure(
         ..Case::of(&scene.name, system, &contestant.card, &evidence, baseline)
     };
     let mut verdicts = gates::judge(&case);
-    if gates::ask_for_control(&verdicts)
-        && let Some(control) = controls.of(contestant, system.torque_free())
-    {
-        case.control = Some(&control);
-        verdicts = gates::judge(&case);
+    if gates::ask_for_control(&verdicts) {
+        let control = controls.of(contestant, system.torque_free());
+        verdicts = gates::judge(&Case { control: Some(&control), ..case });
     }
     let names = rows::Names { scene: &scene.name, scheme: contestant.card.name, model: evidence.model };
     let mut measurements = rows::measurements(&names, &evidence, contestant.has_own_clock());

@@ -19,14 +19,14 @@ pub struct Controls {
     found: Arc<Mutex<HashMap<(String, bool), Found>>>,
 }
 
-type Found = Arc<OnceLock<Option<Control>>>;
+type Found = Arc<OnceLock<Control>>;
 
 impl Controls {
-    /// The control of a scheme, without torque or with it; `None` where it takes no such scene.
-    pub(super) fn of(&self, contestant: &Contestant, torque_free: bool) -> Option<Control> {
+    /// The control of a scheme, without torque or with it; empty where it takes no such scene.
+    pub(super) fn of(&self, contestant: &Contestant, torque_free: bool) -> Control {
         let key = (contestant.card.name.to_owned(), torque_free);
         let found = self.found.lock().unwrap_or_else(PoisonError::into_inner).entry(key).or_default().clone();
-        found.get_or_init(|| measure(contestant, torque_free)).clone()
+        found.get_or_init(|| measure(contestant, torque_free).unwrap_or_default()).clone()
     }
 }
 

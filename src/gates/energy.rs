@@ -70,6 +70,7 @@ fn judge_fall(case: &Case, drift: &EnergyDrift) -> Verdict {
 fn judge_rate(case: &Case, drift: &EnergyDrift, rate_order: u32, grows: bool) -> Verdict {
     let name = RATE;
     let shown = &drift.rungs[drift.shown];
+    let control = case.control.and_then(|control| control.shows("energy", RATE));
     let rate = format!("rate {:.3e} 1/s at h = {:.3e} s", shown.rate, shown.step);
     match (drift.class, drift.order) {
         (Class::Exact, _) => {
@@ -79,7 +80,6 @@ fn judge_rate(case: &Case, drift: &EnergyDrift, rate_order: u32, grows: bool) ->
         (Class::Secular, Some(fit)) => {
             let (bottom, top) = (f64::from(rate_order) - BAND, f64::from(rate_order) + BAND);
             // Above the band the claimed term may be too small to be seen in this motion.
-            let control = case.control.and_then(|control| control.shows("energy", RATE));
             let above = fit.low > top && !(grows && shown.rate <= 0.0);
             let excuse = control.filter(|_| above);
             let verdict = if excuse.is_some() {
@@ -110,9 +110,14 @@ fn judge_rate(case: &Case, drift: &EnergyDrift, rate_order: u32, grows: bool) ->
                 )
             }
         }
-        (Class::Growing, _) => {
-            ruled(case, "energy", name, Ruling::Fail, format!("grows without bound; {rate}"))
-        }
+        // A thin body may be stiffer than any step that long runs can afford.
+        (Class::Growing, _) => match control {
+            None => ruled(case, "energy", name, Ruling::Fail, format!("grows without bound; {rate}")),
+            Some(scene) => {
+                let detail = format!("grows without bound; {rate}; {scene} shows the claimed order");
+                ruled(case, "energy", name, Ruling::Inconclusive, detail)
+            }
+        },
         (class, _) => {
             let why = why_no_order(drift);
             let detail =

@@ -12,23 +12,24 @@ use crate::regression::Ladder;
 /// Fall of the slopes of a window in all below which they are at rest.
 const AT_REST: f64 = 0.04;
 
-/// Excuses what fails; `slopes` are the verdicts on `ladders`.
+/// Excuses what fails, once a control has been asked for; `slopes` are the verdicts on `ladders`.
 pub(super) fn apply(case: &Case, order: u32, ladders: &[&QuantityLadder], slopes: &mut [Verdict]) {
+    let Some(control) = case.control else { return };
     let (bottom, top) = (f64::from(order) - BAND, f64::from(order) + BAND);
     let shows = |ladder: &&QuantityLadder| {
         ladder.fit().is_some_and(|fit| (bottom..=top).contains(&fit.slope)) || ladder.is_on_its_way(order)
     };
-    let shown_here = ladders.iter().any(shows);
-    let generic = case.control.and_then(|control| control.shows("order", ""));
+    let shown_here = ladders.iter().any(shows) && !control.denies("order");
+    let generic = control.shows("order", "");
     let unsettled = ladders.iter().filter(|ladder| ladder.ladder == Ladder::Unsettled).count();
     let open = 2 * unsettled >= ladders.len();
     let lost = case.evidence.rungs.last().is_some_and(|rung| rung.is_lost(case.system));
     for (verdict, ladder) in slopes.iter_mut().zip(ladders).filter(|(v, _)| v.verdict == Ruling::Fail) {
         let why = match (ladder.fit(), generic) {
-            (Some(fit), _) if fit.low > top && shown_here => {
+            (Some(fit), Some(scene)) if fit.low > top => format!("{scene} shows the claimed order"),
+            (Some(fit), None) if fit.low > top && shown_here => {
                 "other quantities of the same runs show the claimed order".to_owned()
             }
-            (Some(fit), Some(scene)) if fit.low > top => format!("{scene} shows the claimed order"),
             (Some(fit), Some(scene)) if fit.high < bottom => {
                 let below = bottom - 1.0 + 2.0 * BAND;
                 let here = if lost {

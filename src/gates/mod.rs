@@ -92,13 +92,19 @@ impl<'a> Case<'a> {
 
 /// A scheme in a generic scene. In another an order above the claimed one says that the scene is too easy, where the claimed order
 /// holds here, and that the claim is too low, where it does not; one below it may be no order yet.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Control {
-    /// What the gates said there, without a control of their own.
+    /// What the gates said there, without a control of their own; nothing where the scheme takes no such scene.
     pub verdicts: Vec<Verdict>,
 }
 
 impl Control {
+    /// Whether the claim fails there and holds in nothing.
+    fn denies(&self, claim: &str) -> bool {
+        let said = |ruling| self.verdicts.iter().any(|v| v.claim == claim && v.verdict == ruling);
+        said(Ruling::Fail) && !said(Ruling::Pass)
+    }
+
     /// The scene, where the claim holds in it: in one quantity at least, and in none not.
     fn shows(&self, claim: &str, quantity: &str) -> Option<&str> {
         let mut spoken =

@@ -34,6 +34,10 @@ const MOST_STEPS: u64 = 4_000_000;
 const MOST_STEPS_OTHERWISE: u64 = 1_000_000;
 /// … and where it promises nothing.
 const MOST_STEPS_UNASKED: u64 = 100_000;
+/// Change of the energy, over the energy, from which on a run has gone elsewhere: its step is too large for its rate to mean anything.
+const WILD: f64 = 1.0;
+/// Energy over the most that L allows from which on it grows without bound. (That of a thin body may be ten thousand times the first.)
+const WAY_PAST: f64 = 10.0;
 /// Samples of a run.
 const SAMPLES: u64 = 512;
 /// Difference of two moments, over the largest, below which they are one.
@@ -91,9 +95,10 @@ pub struct EnergyRung {
 }
 
 impl EnergyRung {
-    /// Whether the energy oscillates clear of rounding, with no rate but what the averages leave of the oscillation.
+    /// Whether the energy oscillates clear of rounding and has not gone elsewhere, with no rate but what the averages leave of the oscillation.
     fn is_flat(&self, long: f64) -> bool {
         self.level > 100.0 * self.rounding
+            && self.level < WILD
             && self.rate.abs() <= 3.0 * self.uncertainty
             && self.rate.abs() * long < 0.1 * self.level
     }
@@ -195,7 +200,7 @@ fn classify(rungs: Vec<EnergyRung>, steady: usize, flat: bool, long: f64) -> Ene
     let bounded = flat || fine.iter().all(|r| (r.rate * long).abs() < 0.1 * r.level);
     let (class, order) = match regression::find_window(&ladder[rungs.len() - steady.max(1)..]) {
         _ if rungs.iter().all(|r| r.level <= 10.0 * r.rounding) => (Class::Exact, None),
-        _ if fine.iter().any(|r| r.level > 1e3) => (Class::Growing, None),
+        _ if fine.iter().any(|r| r.of_largest > WAY_PAST) => (Class::Growing, None),
         Ladder::Window { fit, .. } if !flat => (Class::Secular, Some(fit)),
         _ if bounded => (Class::Bounded, None),
         _ => (Class::Undecided, None),

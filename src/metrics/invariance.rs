@@ -9,7 +9,7 @@ use nalgebra::Vector3;
 
 use super::moved_starts::shaken_bodies;
 use super::rounding::{self, Adding, roundings};
-use super::{Place, Rung, larger, steady_rung};
+use super::{Place, Rung, SHAKEN, larger, steady_rung};
 use crate::model::body::Shape;
 use crate::model::{Change, Quantity, Snapshot, System, difference, retold};
 use crate::rotation;
@@ -17,8 +17,6 @@ use crate::simulate::{Contestant, Form, Plan};
 
 /// Steps of a run.
 const STEPS: u64 = 256;
-/// Runs of the point form that start a few rounding units off.
-const SHAKEN: usize = 6;
 /// States of it that say how roundings grow.
 const SAMPLES: u64 = 16;
 
@@ -57,10 +55,10 @@ struct World {
     to_the_bit: bool,
 }
 
-/// Runs the scene in other worlds, for up to 256 steps of the coarsest run that follows the truth; empty where there is
+/// Runs the scene in other worlds, for up to 256 steps of the coarsest run that follows the truth however it rounds; empty where there is
 /// none.
 pub fn other_worlds(contestant: &Contestant, system: &System, rungs: &[Rung]) -> Vec<OtherWorld> {
-    let Some(rung) = steady_rung(system, rungs) else { return Vec::new() };
+    let Some(rung) = steady_rung(contestant, system, rungs, STEPS) else { return Vec::new() };
     let steps = rung.steps.min(STEPS);
     let run = |system: &System, form: Form, step: f64| {
         let run = contestant.run(system, form, &Plan { step, steps, every: steps });

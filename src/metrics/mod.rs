@@ -24,6 +24,7 @@ mod tolerance;
 
 use crate::model::{Quantity, Snapshot, System, difference};
 use crate::reference::Reference;
+use crate::simulate::{Contestant, Form, Plan};
 
 pub use climb::climb;
 pub use drift::{Class, EnergyDrift, EnergyRung, energy_drift};
@@ -72,6 +73,8 @@ impl Metric {
     }
 }
 
+/// Runs with a start a few rounding units off that show what no ladder can.
+const SHAKEN: usize = 6;
 /// Error of a run that follows the truth, over the body's size.
 const FOLLOWS: f64 = 0.1;
 
@@ -112,9 +115,25 @@ pub fn describe(quantity: Quantity) -> &'static str {
 }
 
 /// The coarsest run of a ladder that follows the truth, to a tenth of the body's size: coarser ones may be unstable and
-/// amplify every rounding.
-fn steady_rung<'a>(system: &System, rungs: &'a [Rung]) -> Option<&'a Rung> {
-    rungs.iter().find(|rung| rung.follows(system))
+/// amplify every rounding. Where it solves implicit equations its first steps, `most` of them, are made from starts a few rounding units
+/// off, too: at the edge of what an iteration solves it may break in one world and not in another.
+fn steady_rung<'a>(
+    contestant: &Contestant,
+    system: &System,
+    rungs: &'a [Rung],
+    most: u64,
+) -> Option<&'a Rung> {
+    let ends_however_it_rounds = |rung: &Rung| {
+        let steps = rung.steps.min(most);
+        let plan = Plan { step: rung.step, steps, every: steps };
+        let run = |system: &System| contestant.run(system, Form::Least, &plan);
+        rung.outcome.solves == 0 || {
+            let motion = run(system).states;
+            moved_starts::shaken_starts(system, &motion, SHAKEN)
+                .all(|shaken| run(&shaken).outcome.broken.is_none())
+        }
+    };
+    rungs.iter().filter(|rung| rung.follows(system)).find(|rung| ends_however_it_rounds(rung))
 }
 
 /// The larger of two numbers; NaN if either is, where `f64::max` would hide it.

@@ -1,6 +1,7 @@
 //! The note as written, on every mass point, beside the least model: do they agree, does the body stay rigid, is
 //! L untouched?
 
+use super::SHAKEN;
 use super::moved_starts::shaken_bodies;
 use crate::model::forces::Law;
 use crate::model::{Quantity, Snapshot, System, difference};
@@ -9,8 +10,6 @@ use crate::simulate::{Contestant, Form, Outcome, Plan};
 
 /// Steps of the comparison.
 const STEPS: u64 = 1000;
-/// Runs of either form that start a few rounding units off.
-const SHAKEN: usize = 6;
 /// Radians turned a step, at most.
 const TURN: f64 = 1.0 / 512.0;
 

@@ -3,7 +3,7 @@
 //! A symmetric scheme, Φ₋ₕ Φₕ = 1, returns to its start to rounding; any other is off by its own error.
 
 use super::moved_starts::shaken_starts;
-use super::{Rung, larger, steady_rung};
+use super::{Rung, SHAKEN, larger, steady_rung};
 use crate::model::{Quantity, Snapshot, System, difference};
 use crate::simulate::{Contestant, Form, Plan};
 
@@ -11,8 +11,6 @@ use crate::simulate::{Contestant, Form, Plan};
 const STEPS: u64 = 4096;
 /// States of one way that say how large everything gets.
 const SAMPLES: u64 = 16;
-/// Ways there and back that start a few rounding units off.
-const SHAKEN: usize = 6;
 
 /// A run there and back.
 #[derive(Clone, Debug)]
@@ -39,7 +37,7 @@ pub fn reversal(contestant: &Contestant, system: &System, rungs: &[Rung]) -> Opt
     if system.forces.read_time() || (system.forces.read_velocity() && !system.forces.conservative()) {
         return None;
     }
-    let rung = steady_rung(system, rungs)?;
+    let rung = steady_rung(contestant, system, rungs, STEPS)?;
     let steps = rung.steps.min(STEPS);
     let mut reversal = Reversal {
         steps,

@@ -57,7 +57,7 @@ pub fn symplecticity(contestant: &Contestant, system: &System, rungs: &[Rung]) -
     {
         return None;
     }
-    let step = steady_rung(system, rungs)?.step.min(TURN / spin);
+    let step = steady_rung(contestant, system, rungs, 1)?.step.min(TURN / spin);
     // What turn, and what change of L over |L|, changes Ω by no more than itself in a body of unlike moments.
     let unit = (system.body.moments.min() * spin / momentum).min(1.0);
     let directions = directions(system, spin, unit);

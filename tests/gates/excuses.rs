@@ -11,10 +11,12 @@ use super::case::{Made, index};
 use super::energies::drift;
 use super::orders::{SECOND, power};
 
+/// What is said of the first of two quantities by a scheme that takes no generic scene.
 fn two(first: &[f64], second: &[f64]) -> (Ruling, String) {
     let made = Made::new("kovalevskaya", SECOND);
-    let made =
+    let mut made =
         made.with_errors(Quantity::Position, first, 1e-15).with_errors(Quantity::Velocity, second, 1e-15);
+    made.control = Some(Control::default());
     let verdict = made.verdict("order", "position-end");
     (verdict.verdict, verdict.detail)
 }
@@ -36,6 +38,22 @@ fn a_slope_above_the_band_is_excused_by_another_quantity_that_shows_the_order() 
         let (ruling, detail) = two(&steep, &other);
         assert!(ruling == expected && detail.contains(words), "{other:?}: {ruling:?}, {detail}");
     }
+}
+
+#[test]
+fn another_quantity_is_no_excuse_where_a_generic_scene_denies_the_order_and_none_before_one_is_asked_for() {
+    let ruling = |control: Option<Control>| {
+        let made = Made::new("kovalevskaya", SECOND).with_errors(Quantity::Position, &power(3.0), 1e-15);
+        let mut made = made.with_errors(Quantity::Velocity, &power(2.0), 1e-15);
+        made.control = control;
+        made.ruling("order", "position-end")
+    };
+    let said = |rulings: &[(&str, &str, Ruling)]| ruling(Some(control(rulings)));
+    let (fails, passes) = (("order", "position-max", Fail), ("order", "velocity-max", Pass));
+    let of_energy = ("energy", "rotational-energy-rate", Fail);
+    assert_eq!([ruling(None), said(&[fails])], [Fail; 2]);
+    // What fails and passes there says neither.
+    assert_eq!([said(&[]), said(&[fails, passes]), said(&[of_energy])], [Inconclusive; 3]);
 }
 
 /// A control with these rulings on claims and quantities.
@@ -91,6 +109,13 @@ fn a_rate_above_its_band_is_excused_by_a_generic_body_whose_rate_has_the_claimed
         [ruling(5.0, 1.0, Pass), ruling(5.0, 1.0, Fail), ruling(5.0, 1.0, Inconclusive)],
         [Inconclusive, Fail, Fail]
     );
+    let growing = |of_generic: Ruling| {
+        let mut made = Made::new("free-asymmetric", GROWS);
+        made.drift = Some(drift(Class::Growing, None, |_| ()));
+        made.control = Some(control(&[("energy", "rotational-energy-rate", of_generic)]));
+        made.ruling("energy", "rotational-energy-rate")
+    };
+    assert_eq!([growing(Pass), growing(Fail)], [Inconclusive, Fail]);
     // Neither an order that is too low nor a rate of the wrong sign.
     assert_eq!([ruling(2.0, 1.0, Pass), ruling(5.0, -1.0, Pass), ruling(3.0, 1.0, Fail)], [Fail, Fail, Pass]);
 }
@@ -103,7 +128,7 @@ fn a_control_is_asked_for_where_an_order_fails_and_nowhere_else() {
         made.asks_for_control()
     };
     assert_eq!([asks(3.0, 3.0), asks(3.0, 1.0), asks(1.0, 1.0)], [true; 3]);
-    assert_eq!([asks(2.0, 2.0), asks(3.0, 2.0)], [false; 2]);
+    assert_eq!([asks(2.0, 2.0), asks(3.0, 2.0)], [false, true]);
     assert!(!Made::new("kovalevskaya", &[Claim::Rigid, Claim::Reversible]).asks_for_control());
 }
 
