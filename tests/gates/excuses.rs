@@ -129,7 +129,13 @@ fn a_control_is_asked_for_where_an_order_fails_and_nowhere_else() {
     };
     assert_eq!([asks(3.0, 3.0), asks(3.0, 1.0), asks(1.0, 1.0)], [true; 3]);
     assert_eq!([asks(2.0, 2.0), asks(3.0, 2.0)], [false, true]);
-    assert!(!Made::new("kovalevskaya", &[Claim::Rigid, Claim::Reversible]).asks_for_control());
+    // A failure of another claim asks for none, and that of a rate does.
+    let counted = Made::new("free-asymmetric", &[Claim::Evaluations(3)]);
+    assert!(counted.ruling("evaluations", "evaluations") == Fail && !counted.asks_for_control());
+    let mut rate =
+        Made::new("free-asymmetric", &[Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 })]);
+    rate.drift = Some(drift(Class::Secular, Some(Fit { slope: 5.0, low: 5.0, high: 5.0 }), |_| ()));
+    assert!(rate.asks_for_control());
 }
 
 /// What is said of the first of two quantities below the band, where a generic scene shows the claimed order and where none does.
