@@ -30,7 +30,7 @@ pub(super) fn apply(case: &Case, order: u32, ladders: &[&QuantityLadder], slopes
             (Some(fit), None) if fit.low > top && shown_here => {
                 "other quantities of the same runs show the claimed order".to_owned()
             }
-            (Some(fit), Some(scene)) if fit.high < bottom => {
+            (Some(fit), Some(scene)) => {
                 let below = bottom - 1.0 + 2.0 * BAND;
                 let here = if lost {
                     "rounding and reference leave more than a tenth of the body open"
