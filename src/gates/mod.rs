@@ -3,6 +3,7 @@
 //! [`judge`] matches on [`Claim`] exhaustively: a claim without a gate does not compile.
 
 mod deviations;
+mod control;
 mod energy;
 mod equivariant;
 mod evaluations;
@@ -27,6 +28,7 @@ use crate::record::stability::LinearLimit;
 use crate::record::{Records, Ruling, Verdict};
 use crate::schemes::Card;
 
+pub use control::{Control, ask_for_control, judge_orders};
 pub use order::rule;
 pub use reference::judge_reference;
 
@@ -88,39 +90,6 @@ impl<'a> Case<'a> {
             control: None,
         }
     }
-}
-
-/// A scheme in a generic scene. In another an order above the claimed one says that the scene is too easy, where the claimed order
-/// holds here, and that the claim is too low, where it does not; one below it may be no order yet.
-#[derive(Clone, Debug, Default)]
-pub struct Control {
-    /// What the gates said there, without a control of their own; nothing where the scheme takes no such scene.
-    pub verdicts: Vec<Verdict>,
-}
-
-impl Control {
-    /// Whether the claim fails there and holds in nothing.
-    fn denies(&self, claim: &str) -> bool {
-        let said = |ruling| self.verdicts.iter().any(|v| v.claim == claim && v.verdict == ruling);
-        said(Ruling::Fail) && !said(Ruling::Pass)
-    }
-
-    /// The scene, where the claim holds in it: in one quantity at least, and in none not.
-    fn shows(&self, claim: &str, quantity: &str) -> Option<&str> {
-        let mut spoken =
-            self.verdicts.iter().filter(|v| v.claim == claim && v.quantity.starts_with(quantity));
-        let against = |v: &Verdict| matches!(v.verdict, Ruling::Fail | Ruling::Broken);
-        if spoken.clone().any(against) {
-            return None;
-        }
-        spoken.find(|v| v.verdict == Ruling::Pass).map(|v| v.scene.as_str())
-    }
-}
-
-/// Whether a control may tell more of what failed: an order of an error or of an energy's rate.
-pub fn ask_for_control(verdicts: &[Verdict]) -> bool {
-    let open = |v: &Verdict| v.verdict == Ruling::Fail && v.known_deviation.is_none();
-    verdicts.iter().any(|v| open(v) && (v.claim == "order" || v.quantity == energy::RATE))
 }
 
 /// Error constants on record, by scene, scheme and quantity.
@@ -190,19 +159,6 @@ pub fn judge(case: &Case) -> Vec<Verdict> {
     verdicts.extend(stability::judge(case));
     verdicts.extend(judge_without_order(case));
     deviations::apply(&mut verdicts);
-    verdicts
-}
-
-/// The verdicts on orders alone, of errors and of the energy's rate, as they are without a control.
-pub fn judge_orders(case: &Case) -> Vec<Verdict> {
-    let mut verdicts = Vec::new();
-    for claim in case.card.claims {
-        match *claim {
-            Claim::Order(order) => verdicts.extend(order::judge(case, order_here(case, order))),
-            Claim::Energy(energy) => verdicts.extend(energy::judge(case, energy)),
-            _ => {}
-        }
-    }
     verdicts
 }
 
