@@ -32,6 +32,10 @@ impl Drawn {
         plan: &Plan,
         own: &[Snapshot],
     ) -> Drawn {
+        if contestant.card.tolerance_exponent() > 0 {
+            let nothing = [Reading { end: 0.0, max: 0.0 }; 6];
+            return Drawn { steps: plan.steps, turned: nothing, shaken: nothing };
+        }
         let run = |system: &System| {
             let run = contestant.run(system, Form::Least, plan);
             run.outcome.broken.is_none().then_some(run.states)
@@ -41,10 +45,6 @@ impl Drawn {
             Some(run(&change.apply(system))?.iter().map(|state| change.undo(state)).collect())
         });
         let shaken = shaken_starts(system, motion, DIRECTIONS).filter_map(|system| run(&system));
-        if contestant.card.tolerance_exponent() > 0 {
-            let nothing = [Reading { end: 0.0, max: 0.0 }; 6];
-            return Drawn { steps: plan.steps, turned: nothing, shaken: nothing };
-        }
         Drawn {
             steps: plan.steps,
             turned: furthest(system, own, turned),

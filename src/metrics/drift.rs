@@ -95,7 +95,8 @@ pub struct EnergyRung {
 }
 
 impl EnergyRung {
-    /// Whether the energy oscillates clear of rounding and has not gone elsewhere, with no rate but what the averages leave of the oscillation.
+    /// Whether the energy oscillates clear of rounding and has not gone elsewhere, with no rate but what the averages leave of
+    /// the oscillation.
     fn is_flat(&self, long: f64) -> bool {
         self.level > 100.0 * self.rounding
             && self.level < WILD
@@ -227,8 +228,8 @@ fn polhode_period(system: &System) -> Option<f64> {
     match (b - a <= ONE_MOMENT * c, c - b <= ONE_MOMENT * c) {
         (true, true) => return None,
         (false, false) => {}
-        (upper_two, _) => {
-            let (axis, across) = if upper_two { (c, a) } else { (a, c) };
+        (lower_two, _) => {
+            let (axis, across) = if lower_two { (c, a) } else { (a, c) };
             let along = (0..3).find(|index| body.moments[*index] == axis).map(|index| momentum[index])?;
             return Some(2.0 * std::f64::consts::PI / (along * (1.0 / axis - 1.0 / across)).abs());
         }
