@@ -4,9 +4,9 @@
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use nalgebra::Vector3;
+use polhode::internals::rotation::Rotation;
 use polhode::model::body::{Body, MassPoint};
 use polhode::model::{Spin, System};
-use polhode::rotation::Rotation;
 use polhode::scenes::Scene;
 use polhode::simulate::{Contestant, Form, Plan};
 

@@ -7,12 +7,12 @@ use std::cell::Cell;
 use std::time::{Duration, Instant};
 
 use nalgebra::Vector3;
-use polhode::ensemble::{Ensemble, Member};
+use polhode::internals::arithmetic::Registers;
+use polhode::internals::rotation::{self, Rotation};
+use polhode::internals::study::ensemble::{Ensemble, Member};
 use polhode::model::body::{Body, MassPoint};
 use polhode::model::forces::{Attachment, Drag, Gravity, Law, PerPoint, Spring};
 use polhode::model::{Spin, System};
-use polhode::number::Registers;
-use polhode::rotation::{self, Rotation};
 use polhode::simulate::{Contestant, Form, Plan};
 
 /// How long every row is measured.

@@ -12,34 +12,82 @@
 //! Modules stand in the order of dependency; a test reads their `use` lines and fails on any edge that goes the
 //! other way.
 
-pub mod interrupt;
-pub mod number;
-pub mod rotation;
-pub mod elliptic;
-pub mod free_rotor;
-pub mod regression;
+mod interrupt;
+mod arithmetic;
+mod rotation;
 pub mod record;
 pub mod model;
-pub mod claim;
+mod ode;
+mod claim;
 pub mod schemes;
 pub mod reference;
 pub mod scenes;
 pub mod simulate;
-pub mod ensemble;
-pub mod sweep;
-pub mod adaptive;
-pub mod cost;
-pub mod peers;
-pub mod metrics;
-pub mod advice;
-pub mod stability;
+pub mod measure;
 pub mod gates;
+mod study;
+#[cfg(feature = "cli")]
+mod engine;
 pub mod campaign;
-pub mod self_test;
-pub mod engine;
-pub mod judge;
-pub mod assertion;
-pub mod report;
-pub mod cli;
+mod assertion;
+#[cfg(feature = "cli")]
+mod log;
+#[cfg(feature = "cli")]
+mod self_test;
+#[cfg(feature = "cli")]
+mod report;
+#[cfg(feature = "cli")]
+mod cli;
 
-pub use assertion::assert_order;
+pub use assertion::{assert_order, assert_order_in, assert_order_in_body_axes};
+
+/// What the program, the benches and the tests of this repository use besides: no promise, it changes without notice.
+#[cfg(feature = "cli")]
+#[doc(hidden)]
+pub mod internals {
+    pub use crate::cli::main;
+
+    macro_rules! rooms {
+        ($($room:ident),*) => {
+            $(pub mod $room {
+                pub use crate::$room::*;
+            })*
+        };
+    }
+
+    rooms!(arithmetic, engine, log, ode, report, rotation, self_test, study);
+
+    pub mod reference {
+        pub use crate::reference::*;
+        pub mod closed {
+            pub use crate::reference::closed::*;
+        }
+        pub mod precise {
+            pub use crate::reference::precise::*;
+        }
+        pub mod stored {
+            pub use crate::reference::stored::*;
+        }
+    }
+
+    pub mod measure {
+        pub use crate::measure::*;
+        pub mod regression {
+            pub use crate::measure::regression::*;
+        }
+    }
+
+    pub mod model {
+        pub use crate::model::*;
+        pub mod retold {
+            pub use crate::model::retold::*;
+        }
+    }
+
+    pub mod scenes {
+        pub use crate::scenes::*;
+        pub mod random {
+            pub use crate::scenes::random::*;
+        }
+    }
+}

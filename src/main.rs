@@ -3,5 +3,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    ExitCode::from(polhode::cli::main(std::env::args_os()))
+    ExitCode::from(polhode::internals::main(std::env::args_os()))
 }

@@ -1,7 +1,7 @@
 //! Advice held against runs of its own: the answer must be true at the step given, and at those below it.
 
-use polhode::advice::{Question, SAMPLES, search};
-use polhode::metrics::{self, Sight};
+use polhode::internals::study::advice::{Question, SAMPLES, search};
+use polhode::measure::{self, Sight};
 use polhode::model::Quantity;
 use polhode::reference::Reference;
 use polhode::scenes::Scene;
@@ -15,7 +15,7 @@ fn error(contestant: &Contestant, scene: &Scene, reference: &Reference, steps: u
     let run = contestant.run(&scene.system, Form::Least, &plan);
     let sight = Sight { system: &scene.system, reference, states: &run.states };
     let index = Quantity::ALL.iter().position(|quantity| *quantity == Quantity::Orientation).expect("listed");
-    metrics::errors(&sight)[index].max
+    measure::errors(&sight)[index].max
 }
 
 #[test]

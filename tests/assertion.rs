@@ -2,10 +2,10 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use polhode::assertion::{assert_order_in, assert_order_in_body_axes};
 use polhode::model::{Broken, Model};
 use polhode::schemes::{Card, Rk4Quaternion, Scheme, Workspace};
 use polhode::simulate::Contestant;
+use polhode::{assert_order_in, assert_order_in_body_axes};
 
 /// Rates at a point of the step, held over all of it: order 2 at the middle, 1 elsewhere.
 struct Held<const PERCENT: u32>;

@@ -1,10 +1,10 @@
 //! What a card tells of its claims, and a workspace of its content.
 
 use nalgebra::Vector3;
-use polhode::claim::{Claim, Quantity, When};
 use polhode::model::{AnyModel, Free, Model};
 use polhode::scenes::Scene;
 use polhode::schemes::{Card, Euler, PeskinRk2, Scheme, SideBySide, Workspace};
+use polhode::schemes::{Claim, Quantity, When};
 
 fn card(claims: &'static [Claim]) -> Card {
     Card { name: "made-up", title: "Made up", family: "test", source: "none", claims }

@@ -2,12 +2,12 @@
 
 use nalgebra::Vector3;
 use polhode::campaign::Campaign;
-use polhode::claim::{Claim, EnergyOfFreeBody};
 use polhode::gates::Baseline;
 use polhode::model::{Broken, Model, Rates};
 use polhode::record::{Ruling, Verdict};
 use polhode::scenes::Scene;
 use polhode::schemes::{Card, Scheme, Workspace};
+use polhode::schemes::{Claim, EnergyOfFreeBody};
 use polhode::simulate::Contestant;
 
 fn scene(name: &str) -> Scene {

@@ -1,8 +1,8 @@
 //! The reduced models and the mass points are one scheme: they agree to rounding in every scene.
 
-use polhode::metrics;
+use polhode::internals::rotation;
+use polhode::measure;
 use polhode::reference::Reference;
-use polhode::rotation;
 use polhode::scenes;
 use polhode::simulate::Contestant;
 
@@ -15,7 +15,7 @@ fn points_and_the_least_model_agree_to_1e_minus_12_after_a_thousand_steps_in_eve
             reference.states.iter().map(|s| rotation::length(&s.angular_velocity)).fold(0.0, f64::max);
         for contestant in Contestant::all() {
             let name = contestant.card.name;
-            match metrics::point_run(&contestant, &scene.system, scene.duration, fastest) {
+            match measure::point_run(&contestant, &scene.system, scene.duration, fastest) {
                 Some(run) => {
                     assert_eq!(run.steps, 1000);
                     assert!(run.outcome.broken.is_none(), "{}, {name}", scene.name);

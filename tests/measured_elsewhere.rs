@@ -1,9 +1,9 @@
 //! Figures measured outside this project with independent code, and published figures of peers, against ours.
 
 use nalgebra::Vector3;
-use polhode::metrics;
+use polhode::internals::reference::{Reference, stored};
+use polhode::measure;
 use polhode::model::{Snapshot, System};
-use polhode::reference::{Reference, stored};
 use polhode::scenes::Scene;
 use polhode::simulate::{Contestant, Form, Plan};
 
@@ -79,7 +79,7 @@ fn the_energy_of_the_oblate_body_grows_at_the_rate_of_its_law_to_3_percent() {
     let law =
         (1.0 / c - 1.0 / a).powi(4) * length.powi(6) * (1.0 - cosine * cosine) * cosine.powi(4) / (8.0 * a);
     assert!((law / 8.041e-3 - 1.0).abs() < 1e-3, "the law itself: {law}");
-    let drift = metrics::energy_drift(&scheme("peskin-rk2"), &scene.system, scene.duration).expect("a drift");
+    let drift = measure::energy_drift(&scheme("peskin-rk2"), &scene.system, scene.duration).expect("a drift");
     let energy = 0.5 * scene.system.body.inverse_inertia().quadratic_form(&momentum);
     for rung in &drift.rungs[drift.rungs.len() - 3..] {
         let ratio = rung.rate * energy / (law * rung.step.powi(3));
@@ -102,10 +102,10 @@ impl QuadraticForm for nalgebra::Matrix3<f64> {
 fn the_flips_of_the_dzhanibekov_body_come_at_their_exact_times() {
     let exact = [9.95626261124700, 29.1025501809072];
     let scene = Scene::find("dzhanibekov").expect("built in");
-    let axis = metrics::tumbling_axis(&scene.system).expect("it tumbles");
+    let axis = measure::tumbling_axis(&scene.system).expect("it tumbles");
     let times: Vec<f64> = (0..=4096).map(|j| f64::from(j) * scene.duration / 4096.0).collect();
-    let run = polhode::reference::dop853::solve(&scene.system, &times, 1e-15).expect("a solution");
-    let mut finder = metrics::FlipFinder::new(axis);
+    let run = polhode::internals::ode::dop853::solve(&scene.system, &times, 1e-15).expect("a solution");
+    let mut finder = measure::FlipFinder::new(axis);
     run.states.iter().for_each(|state| finder.push(state));
     assert_eq!(finder.times.len(), exact.len());
     for (found, exact) in finder.times.iter().zip(exact) {

@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use polhode::self_test::{self, Findings};
+use polhode::internals::self_test::{self, Findings};
 
 static FINDINGS: LazyLock<Findings> = LazyLock::new(|| self_test::run(&|_, _| ()));
 

@@ -1,8 +1,9 @@
 //! The double-double Taylor reference meets every stored solution, component by component, and its bound holds.
 
+use polhode::internals::ode::{SolverError, dop853};
+use polhode::internals::reference::precise::{self, AFFORDABLE, DoubleDouble, Moment, Motion, decimal};
+use polhode::internals::reference::{Stored, stored};
 use polhode::model::{Quantity, Snapshot, System, difference};
-use polhode::reference::precise::{self, AFFORDABLE, DoubleDouble, Moment, Motion, decimal};
-use polhode::reference::{ReferenceError, Stored, dop853, stored};
 use polhode::scenes::{self, Scene};
 use serde_json::Value;
 
@@ -159,9 +160,9 @@ fn a_solution_written_is_read_again_digit_by_digit() {
 fn what_cannot_be_solved_is_refused_with_its_reason() {
     let scene = scene("heavy-asymmetric-top");
     let backwards = precise::solve(&scene.system, &[1.0, 0.5], AFFORDABLE);
-    assert!(matches!(backwards, Err(ReferenceError::Times { index: 1, .. })));
+    assert!(matches!(backwards, Err(SolverError::Times { index: 1, .. })));
     let long = precise::solve(&scene.system, &[1e9], AFFORDABLE);
-    assert!(matches!(long, Err(ReferenceError::NoConvergence { .. })), "{long:?}");
+    assert!(matches!(long, Err(SolverError::NoConvergence { .. })), "{long:?}");
 }
 
 /// Every force law is transcribed twice: the two agree to what dop853 is good to.

@@ -1,10 +1,10 @@
 //! Correct schemes in scenes that nobody has chosen: none fails, nearly all is decided, and the scenes are what they should be.
 
 use polhode::campaign::Campaign;
+use polhode::internals::scenes::random;
+use polhode::internals::self_test::{power, random as correct_schemes};
 use polhode::model::body::Shape;
 use polhode::record::Ruling::{self, Broken, Fail, Inconclusive, NotApplicable, Pass};
-use polhode::scenes::random;
-use polhode::self_test::{power, random as correct_schemes};
 use polhode::simulate::Contestant;
 
 #[test]

@@ -50,7 +50,8 @@ fn a_file_is_written_that_is_the_stored_one() {
     assert_eq!((code, talk.as_str()), (2, ""));
     let written = fs::read_to_string(&path).expect("written");
     let written = Stored::parse(&written).expect("sound");
-    let stored = polhode::reference::stored::find("dipole-in-field").expect("sound").expect("stored");
+    let stored =
+        polhode::internals::reference::stored::find("dipole-in-field").expect("sound").expect("stored");
     assert_eq!((written.digits, &written.scene), (stored.digits, &stored.scene));
     assert_eq!(written, stored);
 }

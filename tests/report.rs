@@ -11,10 +11,10 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use polhode::internals::report;
 use polhode::record::{
     CostRow, Drift, Measurement, Order, Records, SCHEMA, ScalingRow, SchemeRow, Series, Verdict,
 };
-use polhode::report;
 use synthetic::{SCENES, few, synthetic};
 
 /// Writes the report into a fresh folder.

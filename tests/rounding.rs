@@ -2,10 +2,10 @@
 //! world: the motion is the same, every rounding is another.
 
 use nalgebra::Vector3;
-use polhode::metrics::{self, Evidence};
+use polhode::internals::reference::{Reference, stored};
+use polhode::internals::rotation;
+use polhode::measure::{self, Evidence};
 use polhode::model::{Change, Quantity, difference};
-use polhode::reference::{Reference, stored};
-use polhode::rotation;
 use polhode::scenes::{self, Scene};
 use polhode::simulate::{Contestant, Form, Plan};
 
@@ -25,7 +25,7 @@ fn ladder(scene: &Scene, contestant: &Contestant) -> (Reference, Evidence) {
     let mut reference =
         Reference::of(&scene.system, scene.duration, 64, stored.as_ref()).expect("a reference");
     reference.uncertainty.iter_mut().for_each(|uncertainty| *uncertainty = [0.0; 6]);
-    let evidence = metrics::climb(contestant, &scene.system, &reference, 2, false);
+    let evidence = measure::climb(contestant, &scene.system, &reference, 2, false);
     (reference, evidence)
 }
 

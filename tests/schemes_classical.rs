@@ -2,11 +2,12 @@
 //! energy over long runs, reversal.
 
 use nalgebra::Matrix3;
-use polhode::claim::{Claim, Quantity};
+use polhode::internals::ode::dop853;
+use polhode::internals::rotation;
 use polhode::model::Snapshot;
-use polhode::reference::{Reference, dop853};
-use polhode::rotation;
+use polhode::reference::Reference;
 use polhode::scenes::Scene;
+use polhode::schemes::{Claim, Quantity};
 use polhode::simulate::{Contestant, Form, Plan};
 
 /// The schemes of this file with the order that each has.
@@ -172,7 +173,7 @@ fn l_changes_without_torque_exactly_where_a_scheme_does_not_claim_it() {
     for contestant in Contestant::all() {
         let claims =
             contestant.card.claims.iter().any(|c| {
-                matches!(c, Claim::Exact(Quantity::AngularMomentum, polhode::claim::When::NoTorque))
+                matches!(c, Claim::Exact(Quantity::AngularMomentum, polhode::schemes::When::NoTorque))
             });
         let trajectory = contestant.run(&free.system, Form::Least, &Plan::over(1.0, 64, 64));
         let start = trajectory.states[0].angular_momentum;

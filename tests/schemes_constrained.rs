@@ -1,10 +1,10 @@
 //! RATTLE, Omelyan's leapfrog and the generalised-α method: orders under torque, and one step each against another formulation.
 
 use nalgebra::{Matrix3, Vector3};
-use polhode::metrics;
+use polhode::internals::reference::{Reference, stored};
+use polhode::internals::rotation;
+use polhode::measure;
 use polhode::model::{Quantity, Snapshot, System};
-use polhode::reference::{Reference, stored};
-use polhode::rotation;
 use polhode::scenes::Scene;
 use polhode::simulate::{Contestant, Form, Plan};
 
@@ -38,7 +38,7 @@ fn their_order_is_two_under_torque() {
                 assert_eq!((scheme, name), ("rattle", "kovalevskaya"), "{reason}");
                 continue;
             }
-            let evidence = metrics::climb(&contestant, &scene.system, &reference, 2, true);
+            let evidence = measure::climb(&contestant, &scene.system, &reference, 2, true);
             for ladder in evidence.ladders.iter().filter(|l| l.quantity == Quantity::Orientation) {
                 let fit = ladder.fit().expect("a fit");
                 println!("{scheme} in {name}: {:.3}", fit.slope);

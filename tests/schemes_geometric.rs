@@ -1,12 +1,13 @@
 //! Geometric schemes: orders under torque, known errors, single steps against independent calculations, long runs.
 
 use nalgebra::{Matrix3, Vector3};
-use polhode::free_rotor;
-use polhode::metrics::{self, Place};
+use polhode::internals::ode::dop853;
+use polhode::internals::reference::stored::{self, Solution};
+use polhode::internals::rotation::free_rotor;
+use polhode::internals::rotation::{self, Rotation};
+use polhode::measure::{self, Place};
 use polhode::model::{AnyModel, Quantity, Snapshot, System};
-use polhode::reference::stored::{self, Solution};
-use polhode::reference::{Reference, dop853};
-use polhode::rotation::{self, Rotation};
+use polhode::reference::Reference;
 use polhode::scenes::Scene;
 use polhode::simulate::{Contestant, Form, Plan};
 
@@ -172,7 +173,7 @@ fn every_geometric_scheme_has_its_order_under_torque() {
         let reference =
             Reference::of(&scene.system, scene.duration, 16, stored.as_ref()).expect("a reference");
         for (scheme, order) in MEASURED {
-            let evidence = metrics::climb(&contestant(scheme), &scene.system, &reference, *order, true);
+            let evidence = measure::climb(&contestant(scheme), &scene.system, &reference, *order, true);
             let ladder = evidence
                 .ladders
                 .iter()
@@ -204,7 +205,7 @@ fn coarse_order(scheme: &str, scene: &Scene, clear: f64) -> f64 {
         errors.push((plan.step, error));
     }
     let fine = &errors[errors.len() - 3..];
-    polhode::regression::fit_power(fine).expect("a slope").slope
+    polhode::internals::measure::regression::fit_power(fine).expect("a slope").slope
 }
 
 #[test]

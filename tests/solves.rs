@@ -1,10 +1,10 @@
 //! How fast implicit equations are solved: a wrong derivative gives the same steps, only later.
 
 use polhode::campaign::Campaign;
-use polhode::claim::Claim;
 use polhode::model::{Broken, Model};
 use polhode::record::Ruling;
 use polhode::scenes::Scene;
+use polhode::schemes::Claim;
 use polhode::schemes::{Card, Scheme, Workspace};
 use polhode::simulate::{Contestant, Form, Plan};
 

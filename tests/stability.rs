@@ -1,13 +1,13 @@
 //! Where methods fail: the search, the classes, the theory and the maps, each against something known from outside.
 
 use nalgebra::Vector3;
-use polhode::claim::Claim;
+use polhode::internals::study::stability::{self, Bench, Failure, Meaning, Truth, attempt, limits, theory};
 use polhode::model::{Broken, Model};
 use polhode::record::stability::Stability;
 use polhode::scenes::Scene;
+use polhode::schemes::Claim;
 use polhode::schemes::{Card, Scheme, Workspace};
 use polhode::simulate::Contestant;
-use polhode::stability::{self, Bench, Failure, Meaning, Truth, attempt, limits, theory};
 
 fn scheme(name: &str) -> Contestant {
     Contestant::all().into_iter().find(|c| c.card.name == name).expect("in the list")

@@ -1,11 +1,11 @@
 //! The judge of orders on ladders made up of numbers: what it says of each, that its intervals cover the truth, and that judges
 //! which are wrong in ways that have passed in respected projects are told from it.
 
+use polhode::internals::measure::regression::{self, Ladder};
+use polhode::internals::self_test::judges::WRONG_JUDGES;
+use polhode::internals::self_test::ladders::{TABLE, judge};
+use polhode::internals::self_test::noise::Noise;
 use polhode::record::Ruling;
-use polhode::regression::{self, Ladder};
-use polhode::self_test::judges::WRONG_JUDGES;
-use polhode::self_test::ladders::{TABLE, judge};
-use polhode::self_test::noise::Noise;
 
 #[test]
 fn the_gate_says_of_every_made_up_ladder_what_is_right() {

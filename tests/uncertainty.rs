@@ -1,9 +1,9 @@
 //! What a reference says of its own error holds, and is no blank cheque.
 
+use polhode::internals::reference::stored::{self, Solution};
+use polhode::internals::rotation;
 use polhode::model::{Quantity, Snapshot, System, difference};
-use polhode::reference::stored::{self, Solution};
 use polhode::reference::{Reference, Role, Spread};
-use polhode::rotation;
 use polhode::scenes::{self, Scene};
 
 /// Scenes with a stored solution of everything, and that.

@@ -3,14 +3,17 @@
 use super::{Controls, rows};
 use crate::claim::Claim;
 use crate::gates::{self, Baseline, Case};
-use crate::metrics::{self, EnergyDrift, Evidence};
-use crate::record::stability::{LinearLimit, Stability};
+use crate::measure::{self, EnergyDrift, Evidence};
+use crate::record::stability::LinearLimit;
+#[cfg(feature = "cli")]
+use crate::record::stability::Stability;
 use crate::record::{Drift, Measurement, Order, Series, Verdict};
 use crate::reference::Reference;
 use crate::rotation;
 use crate::scenes::Scene;
 use crate::simulate::{Contestant, Form, Plan};
-use crate::stability::{self, Bench};
+#[cfg(feature = "cli")]
+use crate::study::stability::{self, Bench};
 
 /// States of a series.
 const SERIES_SAMPLES: u64 = 512;
@@ -46,21 +49,21 @@ pub(super) fn measure(
     if let Some(reason) = evidence.refusal() {
         return refused(scene, contestant, reason);
     }
-    let drift = metrics::energy_drift(contestant, system, scene.duration);
-    let points = metrics::point_run(contestant, system, scene.duration, fastest);
+    let drift = measure::energy_drift(contestant, system, scene.duration);
+    let points = measure::point_run(contestant, system, scene.duration, fastest);
     let asked = contestant.card.claims.contains(&Claim::FlipTimes);
     let flips = asked
-        .then(|| metrics::true_flips(system, reference, fastest))
+        .then(|| measure::true_flips(system, reference, fastest))
         .flatten()
-        .and_then(|truth| metrics::flips(contestant, system, scene.duration, fastest, truth));
+        .and_then(|truth| measure::flips(contestant, system, scene.duration, fastest, truth));
     let claims = |claim: Claim| contestant.card.claims.contains(&claim);
     let reversal =
-        claims(Claim::Reversible).then(|| metrics::reversal(contestant, system, &evidence.rungs)).flatten();
+        claims(Claim::Reversible).then(|| measure::reversal(contestant, system, &evidence.rungs)).flatten();
     let symplecticity = claims(Claim::Symplectic)
-        .then(|| metrics::symplecticity(contestant, system, &evidence.rungs))
+        .then(|| measure::symplecticity(contestant, system, &evidence.rungs))
         .flatten();
     let other_worlds = if claims(Claim::Equivariant) {
-        metrics::other_worlds(contestant, system, &evidence.rungs)
+        measure::other_worlds(contestant, system, &evidence.rungs)
     } else {
         Vec::new()
     };
@@ -95,6 +98,7 @@ pub(super) fn measure(
 }
 
 /// The limit of stability on record for the scheme in the scene, and as it is now.
+#[cfg(feature = "cli")]
 fn step_limit(scene: &Scene, contestant: &Contestant) -> Option<(&'static LinearLimit, LinearLimit)> {
     let stored =
         Stability::built_in().linear(&scene.name, contestant.card.name).filter(|_| scene.built_in)?;
@@ -102,17 +106,23 @@ fn step_limit(scene: &Scene, contestant: &Contestant) -> Option<(&'static Linear
     Some((stored, measured))
 }
 
+/// Limits of stability are measured with the feature `cli`.
+#[cfg(not(feature = "cli"))]
+fn step_limit(_: &Scene, _: &Contestant) -> Option<(&'static LinearLimit, LinearLimit)> {
+    None
+}
+
 /// The ladder of the order that the scheme claims in the scene.
 fn ladder(scene: &Scene, reference: &Reference, contestant: &Contestant) -> Evidence {
     let (system, card) = (&scene.system, &contestant.card);
     let order = if system.torque_free() { card.order_without_torque() } else { card.order() };
-    metrics::climb(contestant, system, reference, order, scene.not_for_order.is_none())
+    measure::climb(contestant, system, reference, order, scene.not_for_order.is_none())
 }
 
 /// The verdicts that a control is asked for: on orders, of errors and of the energy's rate.
 pub(super) fn orders_alone(scene: &Scene, reference: &Reference, contestant: &Contestant) -> Vec<Verdict> {
     let evidence = ladder(scene, reference, contestant);
-    let drift = metrics::energy_drift(contestant, &scene.system, scene.duration);
+    let drift = measure::energy_drift(contestant, &scene.system, scene.duration);
     let baseline = Baseline::default();
     let of_ladder = Case::of(&scene.name, &scene.system, &contestant.card, &evidence, &baseline);
     gates::judge_orders(&Case { drift: drift.as_ref(), ..of_ladder })

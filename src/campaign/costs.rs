@@ -6,11 +6,11 @@
 
 use std::sync::Arc;
 
-use crate::cost::{self, Cost, Course};
 use crate::record::{CostRow, Records};
 use crate::rotation;
 use crate::scenes::Scene;
 use crate::simulate::{Contestant, Form};
+use crate::study::cost::{self, Cost, Course};
 
 /// Radians turned in a step that is timed, at most.
 const TURN: f64 = 0.05;

@@ -179,7 +179,10 @@ fn processor() -> String {
     line.and_then(|line| line.split(':').nth(1)).map(str::trim).unwrap_or_default().to_owned()
 }
 
-/// The time, RFC 3339, UTC.
+/// The time, RFC 3339, UTC; empty without the feature `cli`.
 pub fn now() -> String {
+    #[cfg(not(feature = "cli"))]
+    return String::new();
+    #[cfg(feature = "cli")]
     humantime::format_rfc3339_seconds(std::time::SystemTime::now()).to_string()
 }

@@ -1,10 +1,10 @@
 //! What a reduction saves: a step on every mass point beside one on the least model, timed alone on the machine.
 
 use super::costs::typical_step;
-use crate::cost::{self, Course};
 use crate::record::Records;
 use crate::scenes::Scene;
 use crate::simulate::{Contestant, Form};
+use crate::study::cost::{self, Course};
 
 /// Time that each form of each scene is timed for [s].
 const SECONDS: f64 = 0.02;

@@ -1,12 +1,12 @@
 //! What was measured, written as rows. A number that does not exist becomes `None` here, never a NaN.
 
 use crate::claim::Claim;
-use crate::metrics::{self, EnergyDrift, Evidence, Place, QuantityLadder, Rung};
+use crate::measure::regression::Ladder;
+use crate::measure::{self, EnergyDrift, Evidence, Place, QuantityLadder, Rung};
 use crate::model::{Quantity, Snapshot, System};
 use crate::record::stability::Stability;
 use crate::record::{Drift, EngineRow, Measurement, Order, ReferenceRow, SceneRow, SchemeRow, Series};
 use crate::reference::Reference;
-use crate::regression::Ladder;
 use crate::rotation;
 use crate::scenes::Scene;
 use crate::schemes::Card;
@@ -106,7 +106,7 @@ fn rung_rows(names: &Names, rung: &Rung, nanoseconds_per_step: Option<f64>) -> V
             });
         }
     }
-    for (metric, reading) in metrics::ALL.iter().zip(&rung.readings) {
+    for (metric, reading) in measure::ALL.iter().zip(&rung.readings) {
         let Some(reading) = reading else { continue };
         for place in Place::ALL {
             rows.push(Measurement {
@@ -188,7 +188,7 @@ pub(super) fn drift(names: &Names, drift: &EnergyDrift) -> Drift {
 }
 
 pub(super) fn drift_rates(names: &Names, drift: &EnergyDrift) -> Vec<Measurement> {
-    let row = |rung: &metrics::EnergyRung, metric: &str, value, unit: &str, uncertainty| Measurement {
+    let row = |rung: &measure::EnergyRung, metric: &str, value, unit: &str, uncertainty| Measurement {
         scene: names.scene.to_owned(),
         scheme: names.scheme.to_owned(),
         model: "free".to_owned(),

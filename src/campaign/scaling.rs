@@ -5,7 +5,6 @@ use std::time::Instant;
 use nalgebra::Vector3;
 
 use super::Campaign;
-use crate::cost::{self, Course};
 use crate::interrupt;
 use crate::model::body::{Body, MassPoint};
 use crate::model::forces::{Drag, Law, PerPoint};
@@ -14,6 +13,7 @@ use crate::record::{Records, ScalingRow};
 use crate::rotation::Rotation;
 use crate::scenes::Scene;
 use crate::simulate::{Contestant, Form};
+use crate::study::cost::{self, Course};
 
 /// Time that each size is timed for [s].
 const SECONDS: f64 = 0.02;

@@ -6,9 +6,9 @@ use serde_json::{Value, json};
 
 use super::Failure;
 use super::select;
-use crate::advice::{Advice, Answer, Answers, Question, QuestionError, SAMPLES};
 use crate::model::Quantity;
 use crate::scenes::Scene;
+use crate::study::advice::{Advice, Answer, Answers, Question, QuestionError, SAMPLES};
 
 /// Options of `polhode advise`.
 #[derive(Args, Clone, Debug)]

@@ -2,7 +2,7 @@
 
 use crate::engine::{self, EngineError};
 use crate::interrupt;
-use crate::judge::JudgeError;
+use crate::log::JudgeError;
 use crate::record::RecordError;
 use crate::report::ReportError;
 use crate::scenes::SceneError;

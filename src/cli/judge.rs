@@ -7,7 +7,7 @@ use clap::{Args, ValueEnum};
 use comfy_table::{ContentArrangement, Table, presets};
 
 use super::Failure;
-use crate::judge::{self, Convention, Judgement};
+use crate::log::{self, Convention, Judgement};
 use crate::model::Quantity;
 use crate::record::{self, Records, SCHEMA};
 use crate::scenes::Scene;
@@ -79,7 +79,7 @@ pub(super) fn judge(options: &Options) -> Result<u8, Failure> {
         spin_in_body_axes: options.angular_velocity == Axes::Body,
         world_to_body: options.quaternion == Sense::WorldToBody,
     };
-    let judgement = judge::judge(&options.log, &scene, declared)?;
+    let judgement = log::judge(&options.log, &scene, declared)?;
     let name = options.log.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
     if let Some(path) = &options.json {
         let records = Records {

@@ -5,11 +5,12 @@ use comfy_table::{ColumnConstraint, ContentArrangement, Table, TableComponent, W
 
 use super::{Failure, select};
 use crate::claim::Claim;
-use crate::metrics;
+use crate::measure;
 use crate::model::Quantity;
 use crate::model::forces::Law;
 use crate::record::stability::Stability;
 use crate::scenes;
+use crate::simulate::Contestant;
 
 /// Options of `polhode list`.
 #[derive(Args, Clone, Debug)]
@@ -52,7 +53,7 @@ fn schemes() -> Table {
     const HEADER: [&str; 8] =
         ["name", "order", "evaluations", "family", "claims", "fails where", "source", "title"];
     let stability = Stability::built_in();
-    let rows = select::everyone().into_iter().map(|contestant| {
+    let rows = Contestant::everyone().into_iter().map(|contestant| {
         let card = contestant.card;
         let count = |count: u32| if count == 0 { "–".to_owned() } else { count.to_string() };
         vec![
@@ -137,14 +138,14 @@ fn scenes() -> Table {
 fn metrics() -> Table {
     let errors = Quantity::ALL
         .into_iter()
-        .map(|q| vec![q.name().to_owned(), q.unit().to_owned(), metrics::describe(q).to_owned()]);
-    let others = metrics::ALL.iter().map(|m| vec![m.name.to_owned(), m.unit.to_owned(), m.what.to_owned()]);
+        .map(|q| vec![q.name().to_owned(), q.unit().to_owned(), measure::describe(q).to_owned()]);
+    let others = measure::ALL.iter().map(|m| vec![m.name.to_owned(), m.unit.to_owned(), m.what.to_owned()]);
     table(&["metric (-end and -max)", "unit", "what it is"], errors.chain(others))
 }
 
 fn claims() -> Table {
     let mut rows: Vec<Vec<String>> = Vec::new();
-    for contestant in select::everyone() {
+    for contestant in Contestant::everyone() {
         for claim in contestant.card.claims {
             rows.push(vec![contestant.card.name.to_owned(), claim.name().to_owned(), claim.to_string()]);
         }

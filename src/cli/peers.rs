@@ -7,8 +7,8 @@ use clap::Args;
 use super::Failure;
 use super::gate::{measure_with, progress_bar};
 use super::select::Selection;
+use crate::engine::compare::{self, Peers};
 use crate::gates::Baseline;
-use crate::peers::{self, Peers};
 use crate::record::Records;
 use crate::report;
 use crate::scenes::Scene;
@@ -49,7 +49,7 @@ pub(super) fn stand_beside(records: &mut Records, scenes: &[Scene], contestants:
         bar.set_length(all as u64);
         bar.set_position(done as u64);
     };
-    let Peers { rows, twins } = peers::compare(scenes, contestants, &Contestant::all(), &progress);
+    let Peers { rows, twins } = compare::compare(scenes, contestants, &Contestant::all(), &progress);
     bar.finish_and_clear();
     (records.peers, records.twins) = (rows, twins);
 }

@@ -7,9 +7,10 @@ use clap::Args;
 
 use super::{Failure, exit};
 use crate::model::Quantity;
+use crate::ode::SolverError;
 use crate::record;
+use crate::reference::Stored;
 use crate::reference::precise::{self, DoubleDouble, MOST_DIGITS, Moment, Motion, decimal};
-use crate::reference::{ReferenceError, Stored};
 use crate::scenes::Scene;
 
 /// Options of `polhode reference`.
@@ -52,7 +53,7 @@ pub(super) fn reference(options: &Options, quiet: bool) -> Result<u8, Failure> {
     let times = [0.25, 0.5, 0.75, 1.0].map(|part| part * scene.duration);
     let motion = match precise::solve(&scene.system, &times, PATIENCE) {
         Ok(motion) => motion,
-        Err(ReferenceError::Interrupted) => return Ok(exit::INTERRUPTED),
+        Err(SolverError::Interrupted) => return Ok(exit::INTERRUPTED),
         Err(error) => return Err(Failure::Model(format!("{}: {error}", scene.name))),
     };
     let certain = motion.certain_digits(&scene.system);

@@ -7,13 +7,14 @@ use clap::Args;
 use super::Failure;
 use super::gate::{measure_with, progress_bar};
 use super::peers;
-use super::select::{self, Selection};
+use super::select::Selection;
 use crate::campaign;
 use crate::gates::{self, Baseline};
 use crate::record::Records;
 use crate::report;
 use crate::scenes::Scene;
 use crate::schemes;
+use crate::simulate::Contestant;
 
 /// Options of `polhode report`.
 #[derive(Args, Clone, Debug)]
@@ -66,7 +67,7 @@ fn records(options: &Options, quiet: bool) -> Result<Records, Failure> {
     if options.full {
         records.schemes.iter_mut().for_each(|row| row.apart = !main.contains(&row.name.as_str()));
     } else if selection.is_default() {
-        let others = select::everyone().into_iter().filter(|c| !main.contains(&c.card.name)).collect();
+        let others = Contestant::everyone().into_iter().filter(|c| !main.contains(&c.card.name)).collect();
         let scenes = EVERY_SCHEME.iter().map(|name| Scene::find(name)).collect::<Result<_, _>>()?;
         let mut more = measure_with(scenes, others, Baseline::built_in(), false, quiet);
         more.schemes.iter_mut().for_each(|row| row.apart = true);

@@ -3,7 +3,6 @@
 use clap::Args;
 
 use super::Failure;
-use crate::adaptive;
 use crate::engine::{self, Engine};
 use crate::scenes::{self, Scene};
 use crate::schemes::Card;
@@ -43,7 +42,7 @@ impl Selection {
             return Ok(Contestant::main());
         }
         if full || self.schemes.iter().any(|name| name == "all") {
-            return Ok(everyone());
+            return Ok(Contestant::everyone());
         }
         self.schemes.iter().map(|name| contestant(name)).collect()
     }
@@ -56,15 +55,10 @@ impl Selection {
     }
 }
 
-/// The schemes of the list, and the solvers that choose their own steps.
-pub(super) fn everyone() -> Vec<Contestant> {
-    Contestant::all().into_iter().chain(adaptive::contestants()).collect()
-}
-
 /// The schemes of these names; everyone where none is named, or `all`.
 pub(super) fn named(names: &[String]) -> Result<Vec<Contestant>, Failure> {
     if names.is_empty() || names.iter().any(|name| name == "all") {
-        return Ok(everyone());
+        return Ok(Contestant::everyone());
     }
     names.iter().map(|name| contestant(name)).collect()
 }
@@ -87,7 +81,7 @@ pub(super) const SUBSTEPS: &str =
 
 /// The scheme of a name.
 pub(super) fn contestant(name: &str) -> Result<Contestant, Failure> {
-    let all = everyone();
+    let all = Contestant::everyone();
     let listed = all.iter().any(|contestant| contestant.card.name == name);
     if let Some((parts, base)) = Card::parts(name)
         && !listed

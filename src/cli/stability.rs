@@ -13,7 +13,7 @@ use crate::record::stability::Stability;
 use crate::report;
 use crate::scenes::Scene;
 use crate::simulate::Contestant;
-use crate::stability::{self, Study};
+use crate::study::stability::{self, Study};
 
 /// Options of `polhode stability`.
 #[derive(Args, Clone, Debug)]

@@ -12,7 +12,7 @@ use crate::record;
 use crate::report::heat_map::{HeatMap, Map, Range, Scale};
 use crate::report::line_chart::{Line, LineChart, LinePanel};
 use crate::scenes::{FILES, Scene};
-use crate::sweep::{Axis, Row, STEP, SceneText, Sweep};
+use crate::study::sweep::{Axis, Row, STEP, SceneText, Sweep};
 
 /// Options of `polhode sweep`.
 #[derive(Args, Clone, Debug)]

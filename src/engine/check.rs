@@ -152,7 +152,7 @@ impl Inquiry {
     /// A second of a free body beside its exact motion.
     fn moves_as_it_should(&mut self, free: &System) -> Result<String, String> {
         let run = self.run(free, 1000, 1000)?;
-        let truth = crate::reference::dop853::solve(free, &[1.0], crate::reference::dop853::TOLERANCE)
+        let truth = crate::ode::dop853::solve(free, &[1.0], crate::ode::dop853::TOLERANCE)
             .map_err(|error| error.to_string())?;
         let last = run.states.last().ok_or(Broken::NotFinite.to_string())?;
         let [position, velocity, orientation, spin, ..] = difference(&free.body, last, &truth.states[0]);

@@ -10,6 +10,7 @@
 
 mod adapter;
 mod check;
+pub mod compare;
 mod error;
 mod hello;
 mod laws;

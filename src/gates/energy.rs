@@ -3,7 +3,7 @@
 
 use super::{Case, at_most, ruled};
 use crate::claim::EnergyOfFreeBody;
-use crate::metrics::{BAND, Class, EnergyDrift};
+use crate::measure::{BAND, Class, EnergyDrift};
 use crate::record::{Ruling, Verdict};
 
 /// Name of the rate's order.

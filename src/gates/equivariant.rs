@@ -2,7 +2,7 @@
 //! binary units to the last bit. Where implicit equations were solved to their tolerance and no further, the verdict names what that leaves.
 
 use super::{Case, SOLVED_TO, left_by_solves, ruled};
-use crate::metrics::OtherWorld;
+use crate::measure::OtherWorld;
 use crate::record::{Ruling, Verdict};
 
 /// Difference over its floor that rounding may leave: the same factor that tells an error from its floor elsewhere.

@@ -3,9 +3,9 @@
 
 use super::{Case, applies, at_most, open_angle, ruled};
 use crate::claim::{Quantity, When};
-use crate::metrics::{Place, PointRun, QuantityLadder, Rung};
+use crate::measure::regression::Ladder;
+use crate::measure::{Place, PointRun, QuantityLadder, Rung};
 use crate::record::{Ruling, Verdict};
-use crate::regression::Ladder;
 
 /// Relative change of L that n steps of the point form may leave: the rounding of L + h τ in each, and that of
 /// Σ X̃_k × F_k.

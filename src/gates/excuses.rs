@@ -5,9 +5,9 @@
 //! tell: a generic scene does. Where the claimed order holds there, what is seen here is no other order of the scheme.
 
 use super::Case;
-use crate::metrics::{BAND, QuantityLadder};
+use crate::measure::regression::Ladder;
+use crate::measure::{BAND, QuantityLadder};
 use crate::record::{Ruling, Verdict};
-use crate::regression::Ladder;
 
 /// Fall of the slopes of a window in all below which they are at rest.
 const AT_REST: f64 = 0.04;

@@ -4,10 +4,10 @@
 //! times may exceed that of the scheme: what is asked is that they converge at least as fast as claimed.
 
 use super::{Case, open_angle, ruled};
-use crate::metrics::{BAND, Flips};
+use crate::measure::regression::{self, FEWEST_SLOPES, Fit, Ladder};
+use crate::measure::{BAND, Flips};
 use crate::model::Quantity;
 use crate::record::{Ruling, Verdict};
-use crate::regression::{self, FEWEST_SLOPES, Fit, Ladder};
 
 /// Rungs, at the fine end, that must have the right number of flips.
 const COUNTED: usize = 3;

@@ -5,9 +5,9 @@
 //! tolerance must lie between one half and three halves; an interval that reaches into the band from outside decides nothing.
 
 use super::{Case, ruled};
-use crate::metrics::{self, FEWEST_TOLERANCES, QuantityLadder};
+use crate::measure::regression;
+use crate::measure::{self, FEWEST_TOLERANCES, QuantityLadder};
 use crate::record::{Ruling, Verdict};
-use crate::regression;
 
 /// The band of the slope.
 const BAND: (f64, f64) = (0.5, 1.5);
@@ -16,7 +16,7 @@ const SCATTERED: &str =
     "; whole steps between the stored times, few as they are, jump in number and scatter the errors";
 
 pub(super) fn judge(case: &Case, power: u32) -> Vec<Verdict> {
-    let asked = case.evidence.ladders.iter().filter(|ladder| metrics::judged_by_tolerance(ladder));
+    let asked = case.evidence.ladders.iter().filter(|ladder| measure::judged_by_tolerance(ladder));
     asked.map(|ladder| judge_ladder(case, ladder, power)).collect()
 }
 
@@ -30,7 +30,7 @@ fn judge_ladder(case: &Case, ladder: &QuantityLadder, power: u32) -> Verdict {
         let why = case.evidence.rungs.last().and_then(|rung| rung.outcome.broken.as_ref());
         return rule(Ruling::Broken, why.map_or("no finite error".to_owned(), ToString::to_string));
     }
-    let governed = metrics::governed(case.evidence, ladder, case.system, power);
+    let governed = measure::governed(case.evidence, ladder, case.system, power);
     let clear = &governed.rungs;
     let at_floor = ladder.rungs.iter().all(|(_, error, floor)| *error <= 10.0 * floor);
     if at_floor {

@@ -22,7 +22,7 @@ mod symplectic;
 mod vertical_momentum;
 
 use crate::claim::{Claim, Quantity, When};
-use crate::metrics::{EnergyDrift, Evidence, Flips, OtherWorld, PointRun, Reversal, Symplecticity};
+use crate::measure::{EnergyDrift, Evidence, Flips, OtherWorld, PointRun, Reversal, Symplecticity};
 use crate::model::System;
 use crate::record::stability::LinearLimit;
 use crate::record::{Records, Ruling, Verdict};

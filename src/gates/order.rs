@@ -2,11 +2,11 @@
 //! one on record.
 
 use super::{Case, broke, excuses, promised_exact, ruled};
-use crate::metrics::{APART, BAND, QuantityLadder};
+use crate::measure::regression::{Fit, Ladder};
+use crate::measure::{APART, BAND, QuantityLadder};
 use crate::model::Quantity;
 use crate::model::body::Shape;
 use crate::record::{Ruling, Verdict};
-use crate::regression::{Fit, Ladder};
 
 /// Largest relative change of an error constant.
 const CONSTANT_CHANGE: f64 = 0.05;

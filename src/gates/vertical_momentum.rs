@@ -1,12 +1,12 @@
 //! L·g of a body on a pivot under uniform gravity, constant because every torque c × M g is across g.
 
 use super::{Case, at_most, ruled};
-use crate::metrics;
+use crate::measure;
 use crate::record::{Ruling, Verdict};
 
 pub(super) fn judge(case: &Case) -> Vec<Verdict> {
     let name = "vertical-momentum";
-    let index = metrics::ALL.iter().position(|metric| metric.name == name);
+    let index = measure::ALL.iter().position(|metric| metric.name == name);
     let worst = case
         .evidence
         .rungs

@@ -9,7 +9,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::forces::Arms;
-use crate::number::{Registers, Row, Work};
+use crate::arithmetic::{Registers, Row, Work};
 use crate::rotation::formulas;
 
 /// Parts of a sum.

@@ -20,7 +20,7 @@ pub mod forces;
 mod free;
 mod placed;
 mod point_cloud;
-pub mod retold;
+pub(crate) mod retold;
 mod rotor;
 mod snapshot;
 mod system;

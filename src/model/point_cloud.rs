@@ -11,7 +11,7 @@ use super::forced::Motion;
 use super::forces::{Cloud, Forces, Load};
 use super::system::{Start, System};
 use super::{Broken, Model, Pointwise, Snapshot, finite};
-use crate::number::Registers;
+use crate::arithmetic::Registers;
 use crate::rotation;
 
 /// Every mass point.

@@ -12,7 +12,9 @@
 use nalgebra::Vector3;
 
 use super::ReferenceError;
-use super::best::{Best, by_solvers, gather, larger};
+#[cfg(feature = "solvers")]
+use super::best::by_solvers;
+use super::best::{Best, gather, larger};
 use super::sources::{Role, Source, Spread};
 use super::stored::{Solution, Stored};
 use crate::model::{Quantity, Snapshot, System, difference};
@@ -62,6 +64,7 @@ impl Reference {
     ///
     /// # Errors
     /// [`ReferenceError`]: a grid that cannot be, no solver that converges.
+    #[cfg(feature = "solvers")]
     pub fn of_solvers(system: &System, duration: f64, samples: usize) -> Result<Reference, ReferenceError> {
         let times = grid(duration, samples)?;
         let best = by_solvers(system, &times, &|state| rounding(system, state))?;

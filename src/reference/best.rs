@@ -11,25 +11,32 @@
 //! A source that is farther from the best estimate than both can be wrong by contradicts it, and the uncertainty is
 //! then no smaller than that.
 
+use super::ReferenceError;
 use super::closed::{self, Closed};
+#[cfg(feature = "solvers")]
 use super::nudge::{DIRECTIONS, nudged_matrix};
 use super::precise::{self, AFFORDABLE, Motion};
-use super::run::Run;
-use super::sources::{Pair, Role, Source, Spread, two_solutions};
-use super::{ReferenceError, dop853};
+#[cfg(feature = "solvers")]
+use super::solvers::{Pair, two_solutions};
+use super::sources::{Role, Source, Spread};
 use crate::model::{Snapshot, System, difference};
+#[cfg(feature = "solvers")]
+use crate::ode::{dop853, run::Run};
 
 /// Error of a closed form over its uncertainty that contradicts the best estimate.
 const CLOSED_CONTRADICTS: f64 = 8.0;
 
 /// Error of a solver over the spread of both that contradicts the best estimate. Both share the roundings of the
 /// constants, so that their spread may be far too small, next to a separatrix most of all: measured up to 40.
+#[cfg(feature = "solvers")]
 const SOLVER_CONTRADICTS: f64 = 1000.0;
 
 /// Error of dop853 over its difference from tsit45: two errors of one size may be alike by chance.
+#[cfg(feature = "solvers")]
 const SPREAD: f64 = 2.0;
 
 /// Runs that start a rounding off.
+#[cfg(feature = "solvers")]
 const NUDGED: usize = 2;
 
 /// The best estimate at each time, its uncertainty without the rounding of the numbers, and all sources.
@@ -46,13 +53,21 @@ pub(super) fn gather(
     rounding: &dyn Fn(&Snapshot) -> Spread,
 ) -> Result<Best, ReferenceError> {
     let taylor = precise::solve(system, times, AFFORDABLE);
+    #[cfg(feature = "solvers")]
     let pair = two_solutions(system, times);
     let closed = closed::solve(system, times);
+    #[cfg(feature = "solvers")]
     let mut best = match (&taylor, &pair, closed.as_ref()) {
         (Ok(motion), _, _) => of_taylor(motion),
         (Err(_), Ok(_), Some(closed)) => of_closed(closed),
         (Err(_), Ok(pair), None) => of_solvers(system, times, pair),
         (Err(_), Err(error), _) => return Err(error.clone()),
+    };
+    #[cfg(not(feature = "solvers"))]
+    let mut best = match (&taylor, closed.as_ref()) {
+        (Ok(motion), _) => of_taylor(motion),
+        (Err(_), Some(closed)) => of_closed(closed),
+        (Err(error), None) => return Err(error.clone().into()),
     };
     let judge = Judge { system, rounding };
     match (taylor, closed) {
@@ -64,6 +79,7 @@ pub(super) fn gather(
         (Ok(_), None) => {}
         (Err(error), _) => best.sources.push(Source::failed("taylor", error.to_string())),
     }
+    #[cfg(feature = "solvers")]
     match pair {
         Ok(pair) => judge.hold_solvers(&mut best, pair),
         Err(error) => best.sources.push(Source::failed("dop853, tsit45", error.to_string())),
@@ -72,6 +88,7 @@ pub(super) fn gather(
 }
 
 /// What dop853 and tsit45 alone know of it.
+#[cfg(feature = "solvers")]
 pub(super) fn by_solvers(
     system: &System,
     times: &[f64],
@@ -105,6 +122,7 @@ fn closed_source(closed: &Closed, role: Role) -> Source {
 }
 
 /// dop853, and what its like differ from it by.
+#[cfg(feature = "solvers")]
 fn of_solvers(system: &System, times: &[f64], pair: &Pair) -> Best {
     let others: Vec<Run> = DIRECTIONS[DIRECTIONS.len() - NUDGED..]
         .iter()
@@ -156,6 +174,7 @@ impl Judge<'_> {
         best.sources.push(Source { disagreement: Some(largest), ..source });
     }
 
+    #[cfg(feature = "solvers")]
     fn hold_solvers(&self, best: &mut Best, pair: Pair) {
         let mut spread = [0.0; 6];
         let states = pair.best.states.iter().zip(&pair.second.states);

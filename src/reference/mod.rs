@@ -5,8 +5,8 @@
 //! |---|---|---|
 //! | [`precise`] | Taylor series of our own in double-double arithmetic, from touch to touch on the ground | 1e-24 and better, told |
 //! | [`closed`] | closed forms, where the system has one: free and falling bodies, Lagrange's top, a point on springs | a few roundings times 1 + \|Ω\| t |
-//! | [`dop853`] | differential-equations, order 8 | 1e-14 |
-//! | [`tsit45`] | diffsol, order 5 | 1e-13 |
+//! | [`dop853`](crate::ode::dop853) | differential-equations, order 8 | 1e-14 |
+//! | [`tsit45`](crate::ode::tsit45) | diffsol, order 5 | 1e-13 |
 //! | [`stored`] | 24 to 40 digits at T/4, T/2, 3T/4, T | rounding |
 //!
 //! The first that there is gives the states at every time; all others are held against it, and one that contradicts it
@@ -15,17 +15,16 @@
 
 mod agreement;
 mod best;
-pub mod closed;
-pub mod dop853;
-pub mod equations;
+pub(crate) mod closed;
 mod nudge;
-pub mod precise;
-pub mod run;
+pub(crate) mod precise;
 mod sample;
+#[cfg(feature = "solvers")]
+mod solvers;
 mod sources;
-pub mod stored;
-pub mod tsit45;
-pub mod units;
+pub(crate) mod stored;
+
+use crate::ode::SolverError;
 
 pub use agreement::Reference;
 pub use sources::{Role, Source, Spread};
@@ -34,41 +33,9 @@ pub use stored::{Stored, StoredError};
 /// A reference that cannot be had.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ReferenceError {
-    /// Times that do not increase from 0 on.
-    #[error(
-        "output time {index} is {time} s after {previous} s: times must be finite and increase from 0 on"
-    )]
-    Times {
-        /// Index of the time.
-        index: usize,
-        /// The time [s].
-        time: f64,
-        /// The one before [s].
-        previous: f64,
-    },
-    /// A state with NaN or infinity.
-    #[error("{method}: the state is not finite at t = {time} s")]
-    NotFinite {
-        /// Name of the solver.
-        method: &'static str,
-        /// Time [s].
-        time: f64,
-    },
-    /// A solver that gave up.
-    #[error("{method}: no convergence after t = {time} s and {evaluations} evaluations: {reason}")]
-    NoConvergence {
-        /// Name of the solver.
-        method: &'static str,
-        /// Last output time reached [s].
-        time: f64,
-        /// Evaluations of the equations.
-        evaluations: usize,
-        /// What the solver says.
-        reason: String,
-    },
-    /// The user asked for the end.
-    #[error("interrupted")]
-    Interrupted,
+    /// A solver gives no solution.
+    #[error(transparent)]
+    Solver(#[from] SolverError),
     /// Times that cannot be sampled.
     #[error(
         "a reference needs a positive duration and a multiple of 4 samples; got {duration} s and {samples} samples"

@@ -1,6 +1,8 @@
 //! A system a rounding off: what its motion makes of that is what f64 can tell of it.
 
-use nalgebra::{Matrix3, Vector3};
+#[cfg(feature = "solvers")]
+use nalgebra::Matrix3;
+use nalgebra::Vector3;
 
 use crate::model::System;
 
@@ -29,6 +31,7 @@ pub(super) fn nudged(system: &System, signs: &[f64; 3]) -> System {
 }
 
 /// The same, with the matrix of the inertia made from the moments.
+#[cfg(feature = "solvers")]
 pub(super) fn nudged_matrix(system: &System, signs: &[f64; 3]) -> System {
     let mut system = nudged(system, signs);
     let axes = system.body.principal.to_rotation_matrix().into_inner();

@@ -3,10 +3,13 @@
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
+#[cfg(feature = "cli")]
 use super::precise::{DoubleDouble, Moment, decimal};
 use super::stored::{Stored, StoredError};
+#[cfg(feature = "cli")]
+use crate::model::Quantity;
 use crate::model::body::Shape;
-use crate::model::{Quantity, Snapshot, System};
+use crate::model::{Snapshot, System};
 use crate::rotation::{self, Rotation};
 
 type Triple = [String; 3];
@@ -36,6 +39,7 @@ pub(super) struct Sample {
 
 impl Sample {
     /// Name and numbers of each field, a line each.
+    #[cfg(feature = "cli")]
     pub fn canonical(&self) -> String {
         let triple = |v: &Triple| v.join(" ");
         let rows = |v: &[Triple]| v.iter().map(triple).collect::<Vec<_>>().join(" ");
@@ -56,6 +60,7 @@ impl Sample {
 
 impl Sample {
     /// A moment of a motion of `system`, to so many digits.
+    #[cfg(feature = "cli")]
     pub fn of(system: &System, moment: &Moment, digits: usize) -> Sample {
         let triple = |v: &[DoubleDouble; 3], quantity: Quantity| {
             decimal::write_vector(v, moment.bound(quantity), digits)

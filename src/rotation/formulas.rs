@@ -14,7 +14,7 @@
 //! (4) puts right what the last turn left of |q| = 1, a few rounding units, so that it does not add up; the turn
 //! does not wait for it.
 
-use crate::number::Number;
+use crate::arithmetic::Number;
 
 /// Largest (angle/2)² that the series take: one radian.
 pub const LARGEST_SQUARE: f64 = 0.25;

@@ -7,7 +7,9 @@
 //!
 //! |v| is never taken as a bare √(Σ²) where that could overflow: numbers near 1e±160 occur in rescaled scenes.
 
+pub mod elliptic;
 pub mod formulas;
+pub mod free_rotor;
 
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 

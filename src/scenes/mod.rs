@@ -8,7 +8,7 @@ mod body;
 mod error;
 mod laws;
 mod list;
-pub mod random;
+pub(crate) mod random;
 mod start;
 mod table;
 mod value;

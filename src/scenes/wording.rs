@@ -67,10 +67,14 @@ pub(super) fn example(path: &str) -> &'static str {
 
 /// The candidates that a mistyped word may stand for, the closest first.
 pub(super) fn nearest<'c>(word: &str, candidates: impl Iterator<Item = &'c str>) -> Vec<&'c str> {
+    #[cfg(not(feature = "cli"))]
+    let distance = |_: &str| usize::MAX;
+    #[cfg(feature = "cli")]
+    let distance = |candidate: &str| strsim::damerau_levenshtein(word, candidate);
     // One slip in a short word, one in four letters of a long one: more is another word.
     let allowed = 1 + word.chars().count() / 4;
     let mut close: Vec<_> = candidates
-        .map(|candidate| (strsim::damerau_levenshtein(word, candidate), candidate))
+        .map(|candidate| (distance(candidate), candidate))
         .filter(|(distance, _)| *distance <= allowed)
         .collect();
     close.sort();

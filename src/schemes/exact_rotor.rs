@@ -9,7 +9,7 @@ use nalgebra::Vector3;
 use super::Card;
 use super::splitting::splitting;
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
-use crate::free_rotor;
+use crate::rotation::free_rotor;
 use crate::model::{Broken, Rotational};
 use crate::rotation::Rotation;
 

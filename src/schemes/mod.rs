@@ -5,6 +5,8 @@
 //! cannot know that it is being examined.
 
 mod accelerations;
+#[cfg(feature = "solvers")]
+pub(crate) mod adaptive;
 mod card;
 mod cayley;
 mod collocation;
@@ -15,6 +17,7 @@ mod vector_form;
 
 use crate::model::{Broken, Model, Pointwise, Turning};
 
+pub use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 pub use card::Card;
 
 /// Rates of earlier steps that are kept without a further allocation.

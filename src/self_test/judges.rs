@@ -1,10 +1,10 @@
 //! Judges that are wrong in one way each: every one must be told from the right one by a ladder.
 
 use super::ladders::{Row, Rungs, TABLE, judge};
-use crate::metrics::{Place, QuantityLadder};
+use crate::measure::regression::fit_power;
+use crate::measure::{Place, QuantityLadder};
 use crate::model::Quantity;
 use crate::record::Ruling;
-use crate::regression::fit_power;
 
 /// Says something of a ladder and a claimed order.
 type Judge = fn(&[(f64, f64, f64)], f64) -> Ruling;
@@ -44,7 +44,7 @@ fn right(rungs: &[(f64, f64, f64)], order: f64) -> Ruling {
 }
 
 /// The slope and its interval over the window that the right judge finds.
-fn fitted(rungs: &[(f64, f64, f64)]) -> Option<crate::regression::Fit> {
+fn fitted(rungs: &[(f64, f64, f64)]) -> Option<crate::measure::regression::Fit> {
     QuantityLadder::of(Quantity::BodyPoint, Place::End, rungs.to_vec(), 1).fit()
 }
 

@@ -2,7 +2,7 @@
 
 use super::noise::Noise;
 use crate::gates;
-use crate::metrics::{Place, QuantityLadder};
+use crate::measure::{Place, QuantityLadder};
 use crate::model::Quantity;
 use crate::record::Ruling;
 

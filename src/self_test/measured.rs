@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::planted::{Measure, Plant, Row};
-use crate::metrics::{Evidence, QuantityLadder, Reading};
+use crate::measure::{Evidence, QuantityLadder, Reading};
 use crate::model::{Quantity, Snapshot, System, difference};
 use crate::reference::Reference;
 use crate::simulate::{Contestant, Form, Plan};

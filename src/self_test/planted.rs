@@ -4,7 +4,7 @@
 use nalgebra::Vector3;
 
 use crate::claim::Claim;
-use crate::metrics::Reading;
+use crate::measure::Reading;
 use crate::model::forces::{Forces, Law, TorqueAxes};
 use crate::model::{Snapshot, System};
 use crate::reference::Reference;

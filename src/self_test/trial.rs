@@ -5,7 +5,7 @@ use super::{copy, measured};
 use crate::campaign::Campaign;
 use crate::claim::Claim;
 use crate::gates::{self, Baseline, Case};
-use crate::metrics;
+use crate::measure;
 use crate::model::System;
 use crate::record::Verdict;
 use crate::reference::{Reference, stored};
@@ -76,7 +76,7 @@ fn judge_against(change: fn(&mut Reference), measure: Option<planted::Measure>, 
     };
     change(&mut reference);
     let contestant = Contestant::new::<PeskinRk2>();
-    let mut evidence = metrics::climb(&contestant, &scene.system, &reference, 2, true);
+    let mut evidence = measure::climb(&contestant, &scene.system, &reference, 2, true);
     if let Some(measure) = measure {
         evidence = measured::mismeasured(&contestant, &scene.system, &reference, 2, evidence, measure);
     }

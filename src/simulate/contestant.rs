@@ -222,6 +222,19 @@ impl Contestant {
         schemes::visit_all(&Collect)
     }
 
+    /// The solvers that choose their own steps, where the crate is built with them.
+    pub fn adaptive() -> Vec<Contestant> {
+        #[cfg(feature = "solvers")]
+        return super::adaptive::contestants();
+        #[cfg(not(feature = "solvers"))]
+        Vec::new()
+    }
+
+    /// The schemes of the list and the solvers that choose their own steps.
+    pub fn everyone() -> Vec<Contestant> {
+        Contestant::all().into_iter().chain(Contestant::adaptive()).collect()
+    }
+
     /// The main schemes of the list, in the order of [`schemes::MAIN`].
     pub fn main() -> Vec<Contestant> {
         let all = Contestant::all();

@@ -3,6 +3,8 @@
 //! Scheme and model are dispatched once a run; inside is a monomorphic loop without allocation. Times are
 //! t = n h, never accumulated.
 
+#[cfg(feature = "solvers")]
+mod adaptive;
 mod contestant;
 mod substeps;
 mod program;

@@ -1,10 +1,10 @@
 //! Free bodies of every kind, drawn at random: thin, flat, nearly symmetric, near the separatrix, near each axis.
 
 use nalgebra::Matrix3;
+use polhode::internals::reference::closed;
+use polhode::internals::rotation::{self, Rotation};
 use polhode::model::body::Body;
 use polhode::model::{Spin, System, difference};
-use polhode::reference::closed;
-use polhode::rotation::{self, Rotation};
 
 use super::known::{UNITS, V, amplification, exact, radians};
 

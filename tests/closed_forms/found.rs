@@ -1,8 +1,8 @@
 //! Which scenes have a closed form, and how good it is.
 
+use polhode::internals::reference::closed;
+use polhode::internals::rotation;
 use polhode::model::difference;
-use polhode::reference::closed;
-use polhode::rotation;
 use polhode::scenes;
 
 use super::known::{UNITS, amplification, exact, grid, radians, scene};

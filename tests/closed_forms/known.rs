@@ -1,10 +1,10 @@
 //! What is known of a system: its motion to many digits, and its condition.
 
 use nalgebra::{Matrix3, Vector3};
+use polhode::internals::reference::precise::{self, AFFORDABLE, Moment};
+use polhode::internals::rotation;
 use polhode::model::forces::{Forces, Gravity, Law};
 use polhode::model::{Snapshot, System, difference};
-use polhode::reference::precise::{self, AFFORDABLE, Moment};
-use polhode::rotation;
 use polhode::scenes::Scene;
 
 pub type V = Vector3<f64>;

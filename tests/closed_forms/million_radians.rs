@@ -1,10 +1,10 @@
 //! Closed forms after a million radians, against powers of what a period does.
 
 use nalgebra::Matrix3;
+use polhode::internals::reference::closed;
+use polhode::internals::rotation::{self, Rotation};
 use polhode::model::System;
 use polhode::model::body::Shape;
-use polhode::reference::closed;
-use polhode::rotation::{self, Rotation};
 
 use super::known::{CHANGE, UNITS, moved, scene};
 use super::recurrence::{Recurrence, motion, steady};

@@ -1,10 +1,10 @@
 //! A point on springs, with drag.
 
+use polhode::internals::reference::closed;
+use polhode::internals::rotation::Rotation;
 use polhode::model::body::{Body, MassPoint};
 use polhode::model::forces::{Attachment, Drag, Gravity, Law, PerPoint, Spring};
 use polhode::model::{Spin, System};
-use polhode::reference::closed;
-use polhode::rotation::Rotation;
 
 use super::known::{V, exact, grid};
 

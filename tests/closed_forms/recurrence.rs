@@ -1,9 +1,9 @@
 //! A free motion after any time, in double-double arithmetic, from what one period of it does.
 
 use nalgebra::Matrix3;
+use polhode::internals::reference::precise::{self, AFFORDABLE, DoubleDouble, Moment, Motion};
+use polhode::internals::rotation::{self, Rotation};
 use polhode::model::System;
-use polhode::reference::precise::{self, AFFORDABLE, DoubleDouble, Moment, Motion};
-use polhode::rotation::{self, Rotation};
 
 pub type Matrix = [[DoubleDouble; 3]; 3];
 

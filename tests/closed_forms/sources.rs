@@ -1,6 +1,6 @@
 //! A closed form among the other sources of a reference.
 
-use polhode::reference::{Reference, Role, closed};
+use polhode::internals::reference::{Reference, Role, closed};
 
 use super::known::scene;
 

@@ -1,10 +1,10 @@
 //! Lagrange's top in all its motions.
 
+use polhode::internals::reference::closed;
+use polhode::internals::rotation;
 use polhode::model::body::{Body, MassPoint};
 use polhode::model::forces::{Gravity, Law};
 use polhode::model::{Spin, System, difference};
-use polhode::reference::closed;
-use polhode::rotation;
 
 use super::known::{V, exact, grid, turned};
 

@@ -5,12 +5,12 @@
 //! squared in double-double arithmetic, which loses 1e-26 on the way.
 
 use nalgebra::Matrix3;
+use polhode::internals::reference::closed;
+use polhode::internals::reference::precise::{self, AFFORDABLE, DoubleDouble, Moment};
+use polhode::internals::rotation::{self, Rotation};
 use polhode::model::System;
 use polhode::model::body::Shape;
 use polhode::model::forces::{Forces, Gravity, Law};
-use polhode::reference::closed;
-use polhode::reference::precise::{self, AFFORDABLE, DoubleDouble, Moment};
-use polhode::rotation::{self, Rotation};
 
 use super::known::{V, scene};
 use super::recurrence::{Matrix, power, product, rows, small_turn, to_rotation, transposed};

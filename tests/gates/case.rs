@@ -1,8 +1,7 @@
 //! A case whose every number is made up: perfect but for what a test changes.
 
-use polhode::claim::{Claim, Quantity};
 use polhode::gates::{self, Baseline, Case, Control};
-use polhode::metrics::{
+use polhode::measure::{
     self, EnergyDrift, Evidence, Flips, OtherWorld, Place, PointRun, QuantityLadder, Reading, Reversal, Rung,
     Symplecticity,
 };
@@ -11,6 +10,7 @@ use polhode::record::stability::LinearLimit;
 use polhode::record::{Ruling, Verdict};
 use polhode::scenes::Scene;
 use polhode::schemes::Card;
+use polhode::schemes::{Claim, Quantity};
 use polhode::simulate::{Break, Outcome};
 
 /// What a case borrows.
@@ -46,7 +46,7 @@ pub fn rung(step: f64, steps: u64, error: f64, moved: f64) -> Rung {
         errors: readings(error),
         floors: readings(FLOOR),
         moved: readings(moved),
-        readings: vec![None; metrics::ALL.len()],
+        readings: vec![None; measure::ALL.len()],
         outcome: Outcome { steps, ..Outcome::none_yet() },
     }
 }

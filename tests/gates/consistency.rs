@@ -1,9 +1,9 @@
 //! Whether runs come to another motion than the truth.
 
-use polhode::claim::{Claim, Quantity};
-use polhode::metrics::APART;
+use polhode::measure::APART;
 use polhode::record::Ruling::{Fail, Inconclusive, NotApplicable, Pass};
 use polhode::record::Verdict;
+use polhode::schemes::{Claim, Quantity};
 
 use super::case::{FLOOR, Made, broken, index, numbers, rung};
 

@@ -1,7 +1,7 @@
 //! Counts of work, exactly.
 
-use polhode::claim::Claim;
 use polhode::record::Ruling::{Broken, Fail, Inconclusive, Pass};
+use polhode::schemes::Claim;
 
 use super::case::{Made, broken, numbers};
 

@@ -1,10 +1,10 @@
 //! The energy of a free body.
 
-use polhode::claim::{Claim, EnergyOfFreeBody};
-use polhode::metrics::{BAND, Class, EnergyDrift, EnergyRung};
+use polhode::internals::measure::regression::Fit;
+use polhode::measure::{BAND, Class, EnergyDrift, EnergyRung};
 use polhode::record::Ruling::{self, Fail, Inconclusive, NotApplicable, Pass};
 use polhode::record::Verdict;
-use polhode::regression::Fit;
+use polhode::schemes::{Claim, EnergyOfFreeBody};
 
 use super::case::{Made, numbers};
 

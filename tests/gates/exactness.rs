@@ -1,8 +1,8 @@
 //! What is promised to be exact.
 
-use polhode::claim::{Claim, Quantity, When};
-use polhode::metrics::{Place, PointRun};
+use polhode::measure::{Place, PointRun};
 use polhode::record::Ruling::{Broken, Fail, Inconclusive, NotApplicable, Pass};
+use polhode::schemes::{Claim, Quantity, When};
 use polhode::simulate::Outcome;
 
 use super::case::{FLOOR, Made, broken, index, numbers, rung};

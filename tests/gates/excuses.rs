@@ -1,11 +1,11 @@
 //! What excuses a slope outside the band: undecided then, and never a pass.
 
-use polhode::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use polhode::gates::Control;
-use polhode::metrics::Class;
+use polhode::internals::measure::regression::Fit;
+use polhode::measure::Class;
 use polhode::record::Ruling::{self, Broken, Fail, Inconclusive, Pass};
 use polhode::record::Verdict;
-use polhode::regression::Fit;
+use polhode::schemes::{Claim, EnergyOfFreeBody, Quantity, When};
 
 use super::case::{Made, index};
 use super::energies::drift;

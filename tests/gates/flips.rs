@@ -1,8 +1,8 @@
 //! Flips of a tumbling body.
 
-use polhode::claim::{Claim, Quantity};
-use polhode::metrics::{FlipRung, Flips, TrueFlips};
+use polhode::measure::{FlipRung, Flips, TrueFlips};
 use polhode::record::Ruling::{Fail, Inconclusive, NotApplicable, Pass};
+use polhode::schemes::{Claim, Quantity};
 
 use super::case::{Made, index, numbers};
 

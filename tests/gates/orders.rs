@@ -1,12 +1,12 @@
 //! Orders and error constants.
 
-use polhode::claim::{Claim, Quantity, When};
 use polhode::gates::{self, Baseline};
-use polhode::metrics::{BAND, Place, QuantityLadder};
+use polhode::internals::measure::regression::{Fit, Ladder};
+use polhode::measure::{BAND, Place, QuantityLadder};
 use polhode::record::Ruling::{self, Broken, Fail, Inconclusive, NotApplicable, Pass};
 use polhode::record::{Order, Records};
-use polhode::regression::{Fit, Ladder};
 use polhode::scenes::Scene;
+use polhode::schemes::{Claim, Quantity, When};
 
 use super::case::{FLOOR, Made, broken, index, numbers};
 

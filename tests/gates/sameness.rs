@@ -1,9 +1,9 @@
 //! Gates that ask whether two runs are the same: there and back, other worlds, mass points, the two-form, the limit on record.
 
-use polhode::claim::{Claim, Quantity};
-use polhode::metrics::{self, OtherWorld, PointRun, Reading, Reversal, Symplecticity};
+use polhode::measure::{self, OtherWorld, PointRun, Reading, Reversal, Symplecticity};
 use polhode::record::Ruling::{Broken, Fail, Inconclusive, NotApplicable, Pass};
 use polhode::record::stability::LinearLimit;
+use polhode::schemes::{Claim, Quantity};
 use polhode::simulate::Outcome;
 
 use super::case::{Made, numbers};
@@ -171,7 +171,7 @@ fn a_step_may_change_the_two_form_by_1e_minus_9_over_the_unit_of_its_directions(
 
 #[test]
 fn the_vertical_momentum_may_change_by_the_rounding_of_its_sums_on_every_rung() {
-    let place = metrics::ALL.iter().position(|metric| metric.name == "vertical-momentum").expect("a metric");
+    let place = measure::ALL.iter().position(|metric| metric.name == "vertical-momentum").expect("a metric");
     // 4 √n + 8 roundings after n steps.
     let bound = |steps: f64| f64::EPSILON * (8.0 + 4.0 * steps.sqrt());
     let at = |changes: [f64; 2]| {

@@ -1,7 +1,7 @@
 //! Solvers that choose their own steps.
 
-use polhode::claim::{Claim, Quantity};
 use polhode::record::Ruling::{Broken, Fail, Inconclusive, NotApplicable, Pass};
+use polhode::schemes::{Claim, Quantity};
 
 use super::case::{FLOOR, Made, broken, numbers};
 

@@ -1,14 +1,14 @@
 //! The verdicts as a whole: refusals, exit codes, runs that broke, and references.
 
 use nalgebra::Vector3;
-use polhode::claim::{Claim, Quantity};
 use polhode::gates;
+use polhode::internals::rotation::Rotation;
 use polhode::model::Snapshot;
 use polhode::record::Ruling::{self, Broken, Fail, Inconclusive, NotApplicable, Pass};
 use polhode::record::Verdict;
 use polhode::reference::Reference;
-use polhode::rotation::Rotation;
 use polhode::scenes::Scene;
+use polhode::schemes::{Claim, Quantity};
 
 use super::case::{Made, broken, index, numbers};
 

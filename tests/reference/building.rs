@@ -1,11 +1,11 @@
 //! Systems made by hand, and what tests ask of states.
 
 use nalgebra::{Matrix3, Vector3};
+use polhode::internals::reference::{Spread, stored};
+use polhode::internals::rotation::Rotation;
 use polhode::model::body::{Body, MassPoint};
 use polhode::model::forces::{Gravity, Law};
 use polhode::model::{Snapshot, Spin, System, difference};
-use polhode::reference::{Spread, stored};
-use polhode::rotation::Rotation;
 use polhode::scenes::Scene;
 
 pub type V = Vector3<f64>;

@@ -1,10 +1,10 @@
 //! Bodies on the ground: the series stops at every touch and every leave, and its bound holds.
 
+use polhode::internals::ode::dop853;
+use polhode::internals::reference::precise::{self, AFFORDABLE, DoubleDouble, Moment, Motion};
+use polhode::internals::rotation::Rotation;
 use polhode::model::forces::{Ground, Law};
 use polhode::model::{Snapshot, Spin, System};
-use polhode::reference::dop853;
-use polhode::reference::precise::{self, AFFORDABLE, DoubleDouble, Moment, Motion};
-use polhode::rotation::Rotation;
 
 use super::building::{NONE, V, body, free, gravity, largest, quarters, scene, worst};
 

@@ -1,12 +1,12 @@
 //! Motions with something known: a parabola, an energy.
 
+use polhode::internals::rotation;
 use polhode::model::body::Shape;
 use polhode::model::forces::{
     Attachment, CentralGravity, Dipole, Forces, GravityGradient, Ground, Law, Lorentz, PerPoint, Spring,
 };
 use polhode::model::{Snapshot, Spin, System};
 use polhode::reference::Reference;
-use polhode::rotation;
 use polhode::scenes::Scene;
 
 use super::building::{CLUSTER, NONE, V, body, free, from_moments, gravity, largest, scene};

@@ -1,8 +1,9 @@
 //! dop853 and tsit45 by themselves.
 
+use polhode::internals::ode::{SolverError, dop853, tsit45};
+use polhode::internals::reference::stored::Solution;
 use polhode::model::Snapshot;
-use polhode::reference::stored::Solution;
-use polhode::reference::{Reference, ReferenceError, Spread, dop853, tsit45};
+use polhode::reference::{Reference, ReferenceError, Spread};
 use polhode::scenes::Scene;
 
 use super::building::{V, from_moments, largest, quarters, scene, stored_of, worst};
@@ -59,10 +60,10 @@ fn impossible_runs_are_refused_with_their_numbers() {
     assert!(matches!(grid, Err(ReferenceError::Grid { samples: 6, .. })));
     assert!(matches!(Reference::of(&asymmetric(), f64::NAN, 8, None), Err(ReferenceError::Grid { .. })));
     let backwards = dop853::solve(&asymmetric(), &[1.0, 0.5], 1e-15);
-    assert!(matches!(backwards, Err(ReferenceError::Times { index: 1, .. })));
+    assert!(matches!(backwards, Err(SolverError::Times { index: 1, .. })));
     let wild = from_moments(1.0, [1.0, 2.0, 2.5], false, [1e200, 1e200, 1e200], vec![]);
     assert!(matches!(Reference::of(&wild, 1.0, 4, None), Err(ReferenceError::Both { .. })));
     let endless = from_moments(1.0, [1.0, 2.0, 2.5], false, [1e9, 1e9, 1e9], vec![]);
     let endless = dop853::solve(&endless, &[1e6], 1e-15);
-    assert!(matches!(endless, Err(ReferenceError::NoConvergence { .. })), "{endless:?}");
+    assert!(matches!(endless, Err(SolverError::NoConvergence { .. })), "{endless:?}");
 }

@@ -1,6 +1,6 @@
 //! Stored solutions are what they were, and belong to their scene.
 
-use polhode::reference::{Reference, ReferenceError, StoredError, stored};
+use polhode::internals::reference::{Reference, ReferenceError, StoredError, stored};
 
 use super::building::{scene, stored_of};
 

@@ -1,7 +1,7 @@
 //! What build servers and the terminal are told.
 
+use polhode::internals::report;
 use polhode::record::Ruling;
-use polhode::report;
 
 use super::synthetic::few;
 

@@ -22,9 +22,9 @@
 use nalgebra::{Matrix3, Quaternion, Vector3};
 
 use super::top_roots::{Start, roots};
-use crate::elliptic::{Amplitude, amplitude, argument_of, integral_of_the_third_kind};
 use crate::model::body::{Body, Shape};
 use crate::model::{Snapshot, System};
+use crate::rotation::elliptic::{Amplitude, amplitude, argument_of, integral_of_the_third_kind};
 use crate::rotation::{self, Rotation};
 
 /// Difference of moments, over the largest, and of directions that is rounding.

@@ -2,9 +2,9 @@
 
 use nalgebra::Vector3;
 
-use crate::elliptic::{Amplitude, amplitude};
 use crate::model::System;
 use crate::reference::precise::DoubleDouble;
+use crate::rotation::elliptic::{Amplitude, amplitude};
 
 type Triple = [DoubleDouble; 3];
 

@@ -3,7 +3,7 @@
 use nalgebra::Matrix3;
 
 use crate::model::System;
-use crate::reference::units::Units;
+use crate::ode::units::Units;
 
 /// All are powers of two: scaling by them does not round.
 #[derive(Clone, Copy, Debug, PartialEq)]

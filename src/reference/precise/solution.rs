@@ -6,8 +6,9 @@ use super::double_double::DoubleDouble;
 use super::problem::{Problem, SHOWN};
 use super::taylor::{self, Control};
 use crate::model::{Quantity, Snapshot, System};
+use crate::ode::SolverError;
+use crate::ode::run;
 use crate::reference::sources::Spread;
-use crate::reference::{ReferenceError, run};
 use crate::rotation;
 
 /// Bound of the error over the largest difference of the two runs so far.
@@ -66,9 +67,9 @@ pub struct Motion {
 /// multiply-adds.
 ///
 /// # Errors
-/// [`ReferenceError::Times`], [`ReferenceError::NotFinite`], [`ReferenceError::NoConvergence`],
-/// [`ReferenceError::Interrupted`].
-pub fn solve(system: &System, times: &[f64], most_work: f64) -> Result<Motion, ReferenceError> {
+/// [`SolverError::Times`], [`SolverError::NotFinite`], [`SolverError::NoConvergence`],
+/// [`SolverError::Interrupted`].
+pub fn solve(system: &System, times: &[f64], most_work: f64) -> Result<Motion, SolverError> {
     compared(system, times, most_work, &CONTROLS)
 }
 
@@ -77,7 +78,7 @@ fn compared(
     times: &[f64],
     most_work: f64,
     controls: &[Control; 2],
-) -> Result<Motion, ReferenceError> {
+) -> Result<Motion, SolverError> {
     let last = run::increasing(times)?;
     let problem = |nudge| Problem::of(system, if last > 0.0 { last } else { 1.0 }, nudge);
     let (problem, nudged) = (problem(0.0), problem(NUDGE));

@@ -16,7 +16,7 @@ use super::problem::Problem;
 use super::stretch::{Stretch, Switch};
 use super::tape::Series;
 use crate::interrupt;
-use crate::reference::ReferenceError;
+use crate::ode::SolverError;
 
 /// Name in messages.
 const NAME: &str = "taylor";
@@ -55,7 +55,7 @@ pub(super) fn along(
     times: &[f64],
     control: &Control,
     most_work: f64,
-) -> Result<Course, ReferenceError> {
+) -> Result<Course, SolverError> {
     let in_units = |time: &f64| time / problem.scale.time;
     let mut run = Run {
         problem,
@@ -71,7 +71,7 @@ pub(super) fn along(
     let mut wanted = times.iter().map(in_units).peekable();
     while wanted.peek().is_some() {
         if interrupt::requested() {
-            return Err(ReferenceError::Interrupted);
+            return Err(SolverError::Interrupted);
         }
         let (stride, switch) = run.stride(most_work)?;
         let end = run.reached + stride;
@@ -105,7 +105,7 @@ struct Run<'a> {
 
 impl Run<'_> {
     /// The next step, and what makes it end there.
-    fn stride(&mut self, most_work: f64) -> Result<(DoubleDouble, Option<Switch>), ReferenceError> {
+    fn stride(&mut self, most_work: f64) -> Result<(DoubleDouble, Option<Switch>), SolverError> {
         let Some(switched) = self.stretch.develop(self.problem, &self.state) else {
             let contacts = self.stretch.contacts();
             return Err(self.given_up(format!("which of {contacts} points touch cannot be told")));
@@ -113,7 +113,7 @@ impl Run<'_> {
         self.course.switches += switched;
         let step = step(&self.stretch.series, self.problem, self.control);
         if !self.state.iter().all(|x| x.is_finite()) || step.is_nan() {
-            return Err(ReferenceError::NotFinite { method: NAME, time: self.seconds() });
+            return Err(SolverError::NotFinite { method: NAME, time: self.seconds() });
         }
         let longest = step.min(self.last - self.reached.high);
         let switch = self.stretch.first_switch(longest);
@@ -137,9 +137,9 @@ impl Run<'_> {
         self.reached.high * self.problem.scale.time
     }
 
-    fn given_up(&self, reason: String) -> ReferenceError {
+    fn given_up(&self, reason: String) -> SolverError {
         let (time, evaluations) = (self.seconds(), self.course.steps);
-        ReferenceError::NoConvergence { method: NAME, time, evaluations, reason }
+        SolverError::NoConvergence { method: NAME, time, evaluations, reason }
     }
 }
 

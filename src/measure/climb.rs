@@ -1,0 +1,269 @@
+//! The same run at halved steps, until the orders of a scheme on a scene are settled.
+
+use super::giant_steps::giant_steps;
+use super::ladder::{APART, BAND, Evidence, Place, QuantityLadder, Rung};
+use super::past_break::goes_on_in;
+use super::rounding::{Adding, Rounding};
+use super::{ALL, Reading, Sight, errors, tolerance};
+use crate::measure::regression::Ladder;
+use crate::model::forces::Law;
+use crate::model::{Quantity, Snapshot, System, difference};
+use crate::reference::Reference;
+use crate::rotation;
+use crate::simulate::{Contestant, Form, Plan, Trajectory};
+
+/// Fewest rungs of a ladder.
+const FEWEST_RUNGS: usize = 6;
+/// Further rungs of a ladder that carries no order, while its runs do not tell where they go.
+const MORE_RUNGS: usize = 3;
+/// Steps of its rungs, over those of the coarsest, where a force has a kink: about powers of two, and no two with a common factor.
+const PAST_A_KINK: [u64; FEWEST_RUNGS + MORE_RUNGS] = [1, 2, 5, 7, 17, 31, 67, 127, 257];
+/// Most rungs of a ladder.
+const MOST_RUNGS: usize = 20;
+/// Radians turned in a step of the coarsest rung, at most.
+const COARSEST_TURN: f64 = 0.4;
+/// Order from which on a run may have fewer steps than the reference has samples, …
+const HIGH_ORDER: u32 = 4;
+/// … and is compared at this many.
+const FEWEST_SAMPLES: usize = 8;
+/// A solver that chooses its own steps is compared at this many.
+const SAMPLES_OF_OWN_STEPS: usize = 4;
+/// Change of a slope by one more rung from which on the ladder may still become something else.
+const STANDS: f64 = 0.02;
+/// Slope below which errors hardly fall.
+const FLAT: f64 = 0.5;
+/// Steps of the run that rounding is measured in, over those of the coarsest rung, …
+const MEASURED_AT: u64 = 4;
+/// … and at most, where that run does not follow the truth and a finer one does.
+const MOST_STEPS_OF_MEASUREMENT: u64 = 1 << 16;
+
+/// Runs a ladder. `order` is the claimed one: the ladder grows finer until every quantity's order is settled, at
+/// its floor, or out of reach.
+///
+/// The higher the order, the larger the steps that the ladder begins at, so that a few halvings remain above
+/// rounding: √2 times for each order above two. From the fourth on there is a rung between any two halvings, and the
+/// maximum over the run is taken over eight samples.
+///
+/// Where `settle` is false, as in a scene that carries no order, six rungs are enough, or a few more where those do not tell
+/// whether they come to the truth.
+pub fn climb(
+    contestant: &Contestant,
+    system: &System,
+    reference: &Reference,
+    order: u32,
+    settle: bool,
+) -> Evidence {
+    let coarser = 2f64.powf(f64::from(order.saturating_sub(2)) / 2.0);
+    let samples = match order {
+        // Every stored time cuts a step that the solver has chosen.
+        _ if contestant.card.tolerance_exponent() > 0 => SAMPLES_OF_OWN_STEPS,
+        HIGH_ORDER.. => FEWEST_SAMPLES,
+        _ => reference.times.len() - 1,
+    };
+    let thinned = reference.thinned((reference.times.len() - 1) / samples);
+    let reference = &thinned;
+    let coarsest = COARSEST_TURN * coarser;
+    let samples = reference.times.len() as u64 - 1;
+    let duration = reference.times[reference.times.len() - 1];
+    let turned =
+        reference.states.iter().map(|s| rotation::length(&s.angular_velocity)).fold(0.0, f64::max) * duration;
+    let mut first = if order < HIGH_ORDER { samples } else { 2 * samples };
+    while turned / first as f64 > coarsest && first << FEWEST_RUNGS <= contestant.most_steps() {
+        first *= 2;
+    }
+    // The rounding of h turns the forces that read the time as it turns the body.
+    let phase = turned + system.forces.fastest_clock() * duration;
+    let motion = &reference.states;
+    let mut rounding = Rounding::measure(contestant, system, motion, &plan(reference, MEASURED_AT * first));
+    let mut followed = false;
+    let mut evidence = Evidence {
+        model: contestant.model(system),
+        rungs: Vec::new(),
+        ladders: Vec::new(),
+        giant_steps: Vec::new(),
+        goes_on_in: None,
+    };
+    let kink = !settle && system.forces.laws().iter().any(|law| matches!(law, Law::Ground(_)));
+    let mut before = Vec::new();
+    let mut earlier: Vec<Vec<QuantityLadder>> = Vec::new();
+    // Rungs of one halving of h.
+    let halving = if order < HIGH_ORDER { 1 } else { 2 };
+    for index in 0..MOST_RUNGS {
+        let steps = steps_of_rung(first, index, order, kink);
+        // The steps of a solver that chooses its own are its tolerances' names alone.
+        let dear = steps > contestant.most_steps() && contestant.card.tolerance_exponent() == 0;
+        if dear && index >= FEWEST_RUNGS {
+            break;
+        }
+        let plan = plan(reference, steps);
+        // A steady spin is exact at every step but for roundings, and those a large step may amplify by itself.
+        let own = system.steady_spin().then(|| Rounding::measure(contestant, system, motion, &plan));
+        let of_law = |rounding: &Rounding, law| rounding.floors(system, reference, steps, phase, law);
+        let floors = of_law(own.as_ref().unwrap_or(&rounding), Adding::Alike);
+        let (mut rung, states) = run_rung(contestant, system, reference, steps, floors, &before);
+        if !followed && rung.follows(system) {
+            followed = true;
+            // Coarser runs went another way, past another instability.
+            if own.is_none() && steps > MEASURED_AT * first && steps <= MOST_STEPS_OF_MEASUREMENT {
+                rounding = Rounding::measure(contestant, system, motion, &plan);
+                rung.floors = of_law(&rounding, Adding::Alike);
+            }
+        }
+        if own.is_none() && rung.is_clear_by_one_law(&of_law(&rounding, Adding::Unlike)) {
+            rounding.draw_again(contestant, system, motion, &plan, &states);
+            rung.floors = of_law(&rounding, Adding::Alike);
+        }
+        let refused = rung.outcome.refusal().is_some();
+        evidence.rungs.push(rung);
+        if refused {
+            break;
+        }
+        before = states;
+        if index + 1 >= FEWEST_RUNGS {
+            evidence.ladders = ladders(&evidence.rungs, order);
+            let last = earlier.len().checked_sub(halving).map(|index| &earlier[index]);
+            let of_last = |index: usize| last.and_then(|ladders| ladders.get(index));
+            let mut pairs = evidence.ladders.iter().enumerate();
+            let power = contestant.card.tolerance_exponent();
+            let done = match settle {
+                _ if power > 0 => tolerance::settled(&evidence, system, power),
+                false => tells_where_it_goes(&evidence.rungs) || index + 1 >= FEWEST_RUNGS + MORE_RUNGS,
+                // A scheme that claims no order has none to settle.
+                true => order == 0 || pairs.all(|(index, ladder)| settled(ladder, of_last(index), order)),
+            };
+            if done {
+                break;
+            }
+            earlier.push(evidence.ladders.clone());
+        }
+    }
+    if contestant.is_foreign() {
+        let sizes = sizes(system, reference);
+        evidence.ladders.iter_mut().for_each(|ladder| ladder.doubt_where_it_ended_early(order, &sizes));
+    }
+    evidence.goes_on_in = evidence.rungs.last().and_then(|finest| goes_on_in(contestant, system, finest));
+    if system.steady_spin() && evidence.refusal().is_none() {
+        evidence.giant_steps = giant_steps(contestant, system, reference, turned);
+    }
+    evidence
+}
+
+/// Steps of a rung: halvings of h, and from the fourth order on their middles too, 3/2 and 4/3 times as many by turns. Where a force has
+/// a kink the ends of steps must not be the same from rung to rung: one that lies by chance at the kink makes one error in all of them.
+fn steps_of_rung(first: u64, index: usize, order: u32, kink: bool) -> u64 {
+    if kink {
+        return first * PAST_A_KINK.get(index).copied().unwrap_or(1 << index);
+    }
+    if order < HIGH_ORDER {
+        return first << index;
+    }
+    (if index.is_multiple_of(2) { first } else { first / 2 * 3 }) << (index / 2)
+}
+
+/// Whether the last two runs came to their ends, and differ from one another by as much as from the truth or are at its floor.
+fn tells_where_it_goes(rungs: &[Rung]) -> bool {
+    let [.., before, last] = rungs else { return false };
+    let whole = |rung: &Rung| rung.outcome.broken.is_none();
+    let Some(place) = Quantity::ALL.iter().position(|quantity| *quantity == Quantity::BodyPoint) else {
+        return true;
+    };
+    let (error, floor) = (last.errors[place].max, last.floors[place].max);
+    whole(before) && whole(last) && (error <= 10.0 * floor || last.moved[place].max >= APART * error)
+}
+
+/// Whether a finer rung would change nothing: the order holds, the error is at its floor, or the last halving of h has
+/// left the slope where it was, below the band. (What a slope still has to go is about what the last halving changed,
+/// where the next term of the error is one power of h higher. A slope above the band may stand there for as long as the next
+/// term leads, and come down at last.)
+fn settled(ladder: &QuantityLadder, last: Option<&QuantityLadder>, order: u32) -> bool {
+    let at_floor = ladder.rungs.last().is_some_and(|(_, e, floor)| *e <= 10.0 * floor);
+    let before = last.and_then(QuantityLadder::fit);
+    let stands = ladder.fit().zip(before).is_some_and(|(now, before)| {
+        // What a slope still has to go is about what the last halving changed: it must not be enough to come into the band.
+        let change = (now.slope - before.slope).abs();
+        let below = now.slope + change < f64::from(order) - BAND;
+        // A slope that has come to rest at another whole order will not leave it for the claimed one.
+        let at_rest = (now.slope - now.slope.round()).abs() < STANDS && change < 0.25 * STANDS;
+        (below && change < STANDS || at_rest) && !ladder.is_on_its_way(order)
+    });
+    at_floor || stands || ladder.holds(order)
+}
+
+fn run_rung(
+    contestant: &Contestant,
+    system: &System,
+    reference: &Reference,
+    steps: u64,
+    floors: [Reading; 6],
+    before: &[Snapshot],
+) -> (Rung, Vec<Snapshot>) {
+    let plan = plan(reference, steps);
+    let Trajectory { states, outcome } = contestant.run(system, Form::Least, &plan);
+    let nothing = Reading { end: f64::NAN, max: f64::NAN };
+    let (mut measured, mut readings) = ([nothing; 6], vec![None; ALL.len()]);
+    let moved = if before.len() == states.len() { apart(system, &states, before) } else { [nothing; 6] };
+    if outcome.broken.is_none() {
+        let sight = Sight { system, reference, states: &states };
+        measured = errors(&sight);
+        readings = ALL.iter().map(|metric| metric.measure(&sight)).collect();
+    }
+    (Rung { step: plan.step, steps, errors: measured, floors, moved, readings, outcome }, states)
+}
+
+/// How far two runs are apart at the end and at most.
+pub(super) fn apart(system: &System, a: &[Snapshot], b: &[Snapshot]) -> [Reading; 6] {
+    let mut readings = [Reading { end: 0.0, max: 0.0 }; 6];
+    for (a, b) in a.iter().zip(b) {
+        for (reading, value) in readings.iter_mut().zip(difference(&system.body, a, b)) {
+            *reading = Reading { end: value, max: super::larger(reading.max, value) };
+        }
+    }
+    readings
+}
+
+fn plan(reference: &Reference, steps: u64) -> Plan {
+    let samples = reference.times.len() as u64 - 1;
+    Plan::over(reference.times[reference.times.len() - 1], steps, samples)
+}
+
+fn ladders(rungs: &[Rung], order: u32) -> Vec<QuantityLadder> {
+    let mut ladders = Vec::new();
+    for (index, quantity) in Quantity::ALL.into_iter().enumerate() {
+        for place in Place::ALL {
+            let points: Vec<_> = rungs
+                .iter()
+                .map(|r| (r.step, place.of(&r.errors[index]), place.of(&r.floors[index])))
+                .collect();
+            let moved: Vec<f64> = rungs.iter().map(|r| place.of(&r.moved[index])).collect();
+            let mut ladder = QuantityLadder::of(quantity, place, points, order);
+            if is_doubtful(&ladder, &moved, order) {
+                (ladder.ladder, ladder.constant) = (Ladder::Unsettled, None);
+            }
+            ladders.push(ladder);
+        }
+    }
+    ladders
+}
+
+/// A window whose slope is below the claimed order says nothing of the limit h → 0 where its runs do not agree with one another
+/// as that slope would have it: where they differ by far more (errors as large as the motion do not fall, yet every run goes a
+/// way of its own), and where errors hardly fall and the runs do not come nearer to one another either. (Runs that agree with
+/// one another but not with the truth stay: they converge to something wrong.)
+fn is_doubtful(ladder: &QuantityLadder, moved: &[f64], order: u32) -> bool {
+    let Ladder::Window { rungs, fit } = &ladder.ladder else { return false };
+    let (last, before) = (rungs.end - 1, rungs.end - 2);
+    let (fine, coarse) = (ladder.rungs[last], ladder.rungs[before]);
+    let expected = (coarse.0 / fine.0).powf(fit.slope.max(0.0)) - 1.0;
+    let differ = moved[last] > (3.0 * expected + 0.1) * fine.1;
+    // Even a first-order rule that converges to something wrong comes nearer to it by half with every halving.
+    let wander = fit.slope < FLAT && moved[last] > 0.01 * fine.1 && moved[last] > 0.75 * moved[before];
+    fit.slope < f64::from(order) - BAND && (differ || wander)
+}
+
+/// How large each quantity of a motion is, or how far it can be off at all; a position can be off by anything.
+fn sizes(system: &System, reference: &Reference) -> [f64; 6] {
+    let largest = |value: fn(&Snapshot) -> f64| reference.states.iter().map(value).fold(0.0, f64::max);
+    let spin = largest(|s| rotation::length(&s.angular_velocity));
+    let momentum = largest(|s| rotation::length(&s.angular_momentum));
+    [f64::INFINITY, f64::INFINITY, 1.0, spin, momentum, system.body.extent()]
+}

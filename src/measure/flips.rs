@@ -1,0 +1,244 @@
+//! Flips of a body that tumbles about its middle axis: the times at which the middle component of L in body
+//! axes changes its sign.
+
+use nalgebra::Vector3;
+
+use super::BAND;
+use crate::measure::regression::{self, Ladder};
+use crate::model::body::Shape;
+use crate::model::{Snapshot, System};
+#[cfg(feature = "solvers")]
+use crate::ode::dop853;
+use crate::reference::Reference;
+#[cfg(not(feature = "solvers"))]
+use crate::reference::precise;
+use crate::rotation;
+use crate::simulate::{Contestant, Form, Plan};
+
+/// Part of |L| along the middle axis from which a body counts as tumbling about it.
+const TUMBLING: f64 = 0.9;
+/// Radians turned in a step of the coarsest run.
+const COARSEST_TURN: f64 = 0.16;
+/// Runs at halved steps, at least, …
+const FEWEST_RUNGS: usize = 8;
+/// … and at most, where the times are not settled.
+const MOST_RUNGS: usize = 11;
+/// Most steps of a run beyond the fewest.
+const MOST_STEPS: u64 = 1 << 20;
+/// Error of a cubic through every second state over that through every state: the fourth power of their spacing.
+const COARSER: f64 = 16.0;
+/// Intervals of the truth: fine enough for cubic interpolation to 1e-9 of the duration.
+const TRUE_SAMPLES: u32 = 4096;
+
+/// Flips of the truth.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TrueFlips {
+    /// Times [s].
+    pub times: Vec<f64>,
+    /// What they may be off by [s]: interpolation, and the solver's angle over the rate below.
+    pub uncertainty: f64,
+    /// Slowest rate at which L goes through the plane across the axis, over |L| [rad/s]: an angle over it is a time.
+    pub slowest: f64,
+}
+
+/// Flip times of one run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FlipRung {
+    /// h [s].
+    pub step: f64,
+    /// Flip times [s].
+    pub times: Vec<f64>,
+    /// What interpolation leaves open of them [s].
+    pub uncertainty: f64,
+}
+
+/// Flips of a scheme beside those of the reference.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Flips {
+    /// Those of the reference.
+    pub truth: TrueFlips,
+    /// Runs, step falling.
+    pub rungs: Vec<FlipRung>,
+}
+
+impl Flips {
+    /// (h, largest error of a time, what it may be off by) with h falling; infinite where the flips are not as many as in truth. An
+    /// angle that rounding leaves open [rad] makes a time uncertain too.
+    pub fn ladder(&self, open: f64) -> Vec<(f64, f64, f64)> {
+        let rounding = if self.truth.slowest > 0.0 { open / self.truth.slowest } else { 0.0 };
+        self.rungs
+            .iter()
+            .map(|rung| (rung.step, self.late(rung), self.truth.uncertainty + rung.uncertainty + rounding))
+            .collect()
+    }
+
+    /// Largest error of a flip time [s].
+    fn late(&self, rung: &FlipRung) -> f64 {
+        if rung.times.len() != self.truth.times.len() {
+            return f64::INFINITY;
+        }
+        rung.times.iter().zip(&self.truth.times).map(|(a, b)| (a - b).abs()).fold(0.0, super::larger)
+    }
+
+    /// Whether a finer run would change nothing: the times are at their floor or converge at least as fast as claimed.
+    fn settled(&self, order: u32) -> bool {
+        let ladder = self.ladder(0.0);
+        let at_floor = ladder.last().is_some_and(|(_, late, floor)| *late <= 10.0 * floor);
+        let fast = |fit: &regression::Fit| fit.low >= f64::from(order) - BAND;
+        at_floor || matches!(regression::find_window(&ladder), Ladder::Window { fit, .. } if fast(&fit))
+    }
+}
+
+/// The middle axis of a body that starts out tumbling about it freely, body axes; `None` for any other.
+pub fn tumbling_axis(system: &System) -> Option<Vector3<f64>> {
+    let body = &system.body;
+    let (low, high) = (body.moments.imin(), body.moments.imax());
+    if !system.torque_free() || body.shape != Shape::Extended || low == high {
+        return None;
+    }
+    let middle = 3 - low - high;
+    let distinct = |a: f64, b: f64| (a - b).abs() > 1e-6 * a.max(b);
+    let (a, b, c) = (body.moments[low], body.moments[middle], body.moments[high]);
+    let axis = body.principal * Vector3::ith(middle, 1.0);
+    let part = system.start.orientation.inverse_transform_vector(&system.start.angular_momentum).dot(&axis);
+    let tumbling = part.abs() > TUMBLING * rotation::length(&system.start.angular_momentum);
+    (distinct(a, b) && distinct(b, c) && tumbling).then_some(axis)
+}
+
+/// Finds the times at which L along an axis of the body changes its sign, from states as they come, by cubic
+/// Hermite interpolation between two of them: in body axes L' = L × Ω.
+pub struct FlipFinder {
+    axis: Vector3<f64>,
+    last: Option<(f64, (f64, f64))>,
+    /// Times found [s].
+    pub times: Vec<f64>,
+    /// How fast L went through, over |L|, at the slowest [rad/s]; infinite without a flip.
+    slowest: f64,
+}
+
+impl FlipFinder {
+    /// A finder for flips of `axis`, body axes.
+    pub fn new(axis: Vector3<f64>) -> FlipFinder {
+        FlipFinder { axis, last: None, times: Vec::new(), slowest: f64::INFINITY }
+    }
+
+    /// Takes the next state.
+    pub fn push(&mut self, state: &Snapshot) {
+        let momentum = state.orientation.inverse_transform_vector(&state.angular_momentum);
+        let spin = state.orientation.inverse_transform_vector(&state.angular_velocity);
+        let now = (momentum.dot(&self.axis), momentum.cross(&spin).dot(&self.axis));
+        if let Some((time, before)) = self.last
+            && before.0 != 0.0
+            && before.0.signum() != now.0.signum()
+        {
+            self.times.push(hermite_root(time, state.time, before, now));
+            self.slowest = self.slowest.min(now.1.abs() / rotation::length(&momentum));
+        }
+        self.last = Some((state.time, now));
+    }
+}
+
+/// Root of the cubic with these values and slopes at `t0` and `t1`, by bisection.
+fn hermite_root(t0: f64, t1: f64, (v0, d0): (f64, f64), (v1, d1): (f64, f64)) -> f64 {
+    let span = t1 - t0;
+    let cubic = |x: f64| {
+        let y = 1.0 - x;
+        v0 * y * y * (1.0 + 2.0 * x) + d0 * span * x * y * y + v1 * x * x * (1.0 + 2.0 * y)
+            - d1 * span * x * x * y
+    };
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if cubic(middle).signum() == v0.signum() { low = middle } else { high = middle }
+    }
+    t0 + span * 0.5 * (low + high)
+}
+
+/// Flips by every state and by every second one: what interpolation leaves open is seen from their difference.
+struct Twice {
+    every: FlipFinder,
+    second: FlipFinder,
+    pushed: u64,
+}
+
+impl Twice {
+    fn new(axis: Vector3<f64>) -> Twice {
+        Twice { every: FlipFinder::new(axis), second: FlipFinder::new(axis), pushed: 0 }
+    }
+
+    fn push(&mut self, state: &Snapshot) {
+        self.every.push(state);
+        if self.pushed.is_multiple_of(2) {
+            self.second.push(state);
+        }
+        self.pushed += 1;
+    }
+
+    /// What interpolation leaves open [s]; nothing is known where every second state shows other flips.
+    fn uncertainty(&self) -> f64 {
+        let (fine, coarse) = (&self.every.times, &self.second.times);
+        // The last state may be left out of every second, and a flip with it.
+        if coarse.len() + 1 < fine.len() || coarse.len() > fine.len() {
+            return f64::INFINITY;
+        }
+        let apart = fine.iter().zip(coarse).map(|(a, b)| (a - b).abs()).fold(0.0, super::larger);
+        apart / (COARSER - 1.0)
+    }
+}
+
+/// Flips of the truth, by dop853, whose end is held against that of the reference; `None` for a body that does not tumble, or where
+/// the solver fails.
+pub fn true_flips(system: &System, reference: &Reference, fastest: f64) -> Option<TrueFlips> {
+    let axis = tumbling_axis(system)?;
+    let (duration, end) = (*reference.times.last()?, reference.states.last()?);
+    let fine = TRUE_SAMPLES.max((duration * fastest * 16.0).min(65536.0) as u32);
+    let times: Vec<f64> = (0..=fine).map(|j| f64::from(j) * duration / f64::from(fine)).collect();
+    let states = motion(system, &times)?;
+    let mut finder = Twice::new(axis);
+    states.iter().for_each(|state| finder.push(state));
+    let angle = rotation::angle_between(&states.last()?.orientation, &end.orientation);
+    let slowest = finder.every.slowest;
+    let uncertainty = finder.uncertainty() + angle / slowest;
+    Some(TrueFlips { times: finder.every.times, uncertainty, slowest })
+}
+
+/// The motion by dop853, or without the feature `solvers` by the Taylor series.
+fn motion(system: &System, times: &[f64]) -> Option<Vec<Snapshot>> {
+    #[cfg(feature = "solvers")]
+    return Some(dop853::solve(system, times, dop853::TOLERANCE).ok()?.states);
+    #[cfg(not(feature = "solvers"))]
+    return Some(
+        precise::solve(system, times, precise::AFFORDABLE)
+            .ok()?
+            .moments
+            .iter()
+            .map(precise::Moment::snapshot)
+            .collect(),
+    );
+}
+
+/// Runs a scheme at halved steps and finds its flips, until their times are settled.
+pub fn flips(
+    contestant: &Contestant,
+    system: &System,
+    duration: f64,
+    fastest: f64,
+    truth: TrueFlips,
+) -> Option<Flips> {
+    let axis = tumbling_axis(system)?;
+    let order = contestant.card.order();
+    let mut flips = Flips { truth, rungs: Vec::new() };
+    for index in 0..MOST_RUNGS {
+        let steps = (duration * fastest / COARSEST_TURN).ceil() as u64 * (1 << index);
+        let enough = index >= FEWEST_RUNGS && (steps > MOST_STEPS || flips.settled(order));
+        if enough {
+            break;
+        }
+        let plan = Plan { step: duration / steps as f64, steps, every: 1 };
+        let mut finder = Twice::new(axis);
+        contestant.stream(system, Form::Least, &plan, &mut |state| finder.push(state));
+        let uncertainty = finder.uncertainty();
+        flips.rungs.push(FlipRung { step: plan.step, times: finder.every.times, uncertainty });
+    }
+    Some(flips)
+}

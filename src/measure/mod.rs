@@ -1,0 +1,159 @@
+//! What is measured on a run, one file a metric.
+//!
+//! A metric reads the states of a run and those of its reference at the same times. It returns the value at the
+//! end and the largest over the run; what does not apply to a scene is `None`, never a number.
+
+mod climb;
+mod drawn;
+mod drift;
+mod energy;
+mod flips;
+mod giant_steps;
+mod invariance;
+mod invariants;
+mod ladder;
+mod momentum;
+mod moved_starts;
+mod past_break;
+mod points;
+pub(crate) mod regression;
+mod reversal;
+mod rigidity;
+mod rounding;
+mod symplecticity;
+mod tolerance;
+
+use crate::model::{Quantity, Snapshot, System, difference};
+use crate::reference::Reference;
+use crate::simulate::{Contestant, Form, Plan};
+
+pub use climb::climb;
+pub use drift::{Class, EnergyDrift, EnergyRung, energy_drift};
+pub use flips::{FlipFinder, FlipRung, Flips, TrueFlips, flips, true_flips, tumbling_axis};
+pub use invariance::{OtherWorld, other_worlds};
+pub use ladder::{APART, BAND, Evidence, Place, QuantityLadder, Rung};
+pub use points::{PointRun, point_run};
+pub use reversal::{Reversal, reversal};
+pub use symplecticity::{Symplecticity, symplecticity};
+pub use tolerance::{FEWEST_TOLERANCES, Governed, governed, judged_by_tolerance};
+
+/// A run and its reference at the same times.
+pub struct Sight<'a> {
+    /// The scene.
+    pub system: &'a System,
+    /// The reference, whose times the states share.
+    pub reference: &'a Reference,
+    /// States of the run.
+    pub states: &'a [Snapshot],
+}
+
+/// A metric's two values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reading {
+    /// At the end.
+    pub end: f64,
+    /// The largest over the run.
+    pub max: f64,
+}
+
+/// One metric.
+pub struct Metric {
+    /// Name in records; `-end` or `-max` is appended.
+    pub name: &'static str,
+    /// Unit.
+    pub unit: &'static str,
+    /// What it is, in words.
+    pub what: &'static str,
+    measure: fn(&Sight) -> Option<Reading>,
+}
+
+impl Metric {
+    /// Measures; `None` where the metric does not apply.
+    pub fn measure(&self, sight: &Sight) -> Option<Reading> {
+        (self.measure)(sight)
+    }
+}
+
+/// Runs with a start a few rounding units off that show what no ladder can.
+const SHAKEN: usize = 6;
+/// Error of a run that follows the truth, over the body's size.
+const FOLLOWS: f64 = 0.1;
+
+/// The metrics beside the six errors of [`Quantity`].
+pub const ALL: [Metric; 8] = [
+    momentum::MAGNITUDE,
+    momentum::DIRECTION,
+    energy::ROTATIONAL,
+    energy::TOTAL,
+    rigidity::RIGIDITY,
+    invariants::KOVALEVSKAYA,
+    invariants::VERTICAL_MOMENTUM,
+    invariants::AXIAL_MOMENTUM,
+];
+
+/// Errors of the six quantities at every common time, in the order of [`Quantity::ALL`].
+pub fn errors(sight: &Sight) -> [Reading; 6] {
+    let mut readings = [Reading { end: 0.0, max: 0.0 }; 6];
+    for (state, truth) in sight.states.iter().zip(&sight.reference.states) {
+        let apart = difference(&sight.system.body, state, truth);
+        for (reading, value) in readings.iter_mut().zip(apart) {
+            *reading = Reading { end: value, max: larger(reading.max, value) };
+        }
+    }
+    readings
+}
+
+/// What an error of a quantity is, in words.
+pub fn describe(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::Position => "distance of X_cm from the reference's",
+        Quantity::Velocity => "length of the difference of U_cm",
+        Quantity::Orientation => "angle of the relative rotation; of the axis for a rod",
+        Quantity::AngularVelocity => "length of the difference of Omega",
+        Quantity::AngularMomentum => "length of the difference of L",
+        Quantity::BodyPoint => "largest distance of a body point from its place in the reference",
+    }
+}
+
+/// The coarsest run of a ladder that follows the truth, to a tenth of the body's size: coarser ones may be unstable and
+/// amplify every rounding. Where it solves implicit equations its first steps, `most` of them, are made from starts a few rounding units
+/// off, too: at the edge of what an iteration solves it may break in one world and not in another.
+fn steady_rung<'a>(
+    contestant: &Contestant,
+    system: &System,
+    rungs: &'a [Rung],
+    most: u64,
+) -> Option<&'a Rung> {
+    let ends_however_it_rounds = |rung: &Rung| {
+        let steps = rung.steps.min(most);
+        let plan = Plan { step: rung.step, steps, every: steps };
+        let run = |system: &System| contestant.run(system, Form::Least, &plan);
+        rung.outcome.solves == 0 || {
+            let motion = run(system).states;
+            moved_starts::shaken_starts(system, &motion, SHAKEN)
+                .all(|shaken| run(&shaken).outcome.broken.is_none())
+        }
+    };
+    rungs.iter().filter(|rung| rung.follows(system)).find(|rung| ends_however_it_rounds(rung))
+}
+
+/// The larger of two numbers; NaN if either is, where `f64::max` would hide it.
+fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
+}
+
+/// Reads a function of each state and its reference over the run.
+fn read(sight: &Sight, value: impl Fn(&Snapshot, &Snapshot) -> Option<f64>) -> Option<Reading> {
+    let mut reading = Reading { end: 0.0, max: 0.0 };
+    for (state, truth) in sight.states.iter().zip(&sight.reference.states) {
+        let value = value(state, truth)?.abs();
+        reading = Reading { end: value, max: larger(reading.max, value) };
+    }
+    Some(reading)
+}
+
+/// The largest value of a function over the reference; `None` where it is zero or not finite.
+fn scale(sight: &Sight, value: impl Fn(&Snapshot) -> f64) -> Option<f64> {
+    let largest = sight.reference.states.iter().map(|s| value(s).abs()).fold(0.0, larger);
+    (largest > 0.0 && largest.is_finite()).then_some(largest)
+}

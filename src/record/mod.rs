@@ -1,0 +1,172 @@
+//! What a campaign measured, as rows that are written to and read from disk.
+//!
+//! This module depends on nothing else of Polhode: whoever holds a `records.json` needs only these types to
+//! read it. Every number carries its unit and its uncertainty. A value that does not exist is `None`
+//! (`null` on disk), never a NaN.
+
+pub mod stability;
+mod cost;
+mod engines;
+mod findings;
+mod subjects;
+#[cfg(feature = "cli")]
+mod tables;
+mod verdict;
+#[cfg(feature = "cli")]
+mod whole;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+pub use cost::{CostRow, ScalingRow};
+pub use engines::{EngineRow, PeerRow, Twin};
+pub use findings::{Drift, Measurement, Order, Series};
+pub use subjects::{ReferenceRow, SceneRow, SchemeRow};
+#[cfg(feature = "cli")]
+pub use tables::{write_csv, write_json};
+pub use verdict::{Ruling, Verdict};
+#[cfg(feature = "cli")]
+pub use whole::{WholeFile, write_whole};
+
+/// The schema that [`Records`] follows.
+pub const SCHEMA: &str = "polhode/records/1";
+
+/// Everything that one campaign measured and judged.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Records {
+    /// [`SCHEMA`].
+    pub schema: String,
+    /// Version of Polhode that wrote the records.
+    pub polhode: String,
+    /// Where the costs were measured.
+    pub machine: Machine,
+    /// Time of writing, RFC 3339, UTC.
+    pub made_at: String,
+    /// False where the campaign was interrupted: the rows present are whole, others are missing.
+    #[serde(default)]
+    pub complete: bool,
+    /// The scenes, in the order of the campaign.
+    #[serde(default)]
+    pub scenes: Vec<SceneRow>,
+    /// The schemes, in the order of the campaign.
+    #[serde(default)]
+    pub schemes: Vec<SchemeRow>,
+    /// One row a scene, scheme, step and metric; nine tenths of the records, and so shared where records are cloned.
+    pub measurements: Vec<Arc<Measurement>>,
+    /// One row a scene, scheme and quantity: the fitted order of convergence.
+    pub orders: Vec<Order>,
+    /// One row a scene, scheme and conserved quantity: how it drifts.
+    #[serde(default)]
+    pub drifts: Vec<Drift>,
+    /// One row a claim that was judged.
+    pub verdicts: Vec<Verdict>,
+    /// What a step costs, one row a scheme and work.
+    #[serde(default)]
+    pub costs: Vec<CostRow>,
+    /// Cost against size: of a body, of a campaign.
+    #[serde(default)]
+    pub scaling: Vec<ScalingRow>,
+    /// Quantities against time, for drawing.
+    #[serde(default)]
+    pub series: Vec<Arc<Series>>,
+    /// Foreign programs among the schemes.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub engines: Vec<EngineRow>,
+    /// Foreign programs and schemes at equal steps.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub peers: Vec<PeerRow>,
+    /// Pairs that move a body alike.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub twins: Vec<Twin>,
+}
+
+/// The machine that the costs belong to.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Machine {
+    /// Operating system.
+    pub os: String,
+    /// Instruction set.
+    pub architecture: String,
+    /// Processor as it names itself, or empty.
+    pub processor: String,
+    /// Threads that may run at once.
+    pub threads: usize,
+}
+
+/// Reading or writing records failed.
+#[derive(Debug, thiserror::Error)]
+pub enum RecordError {
+    /// A file could not be read or written.
+    #[error("{}: {source}", path.display())]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        source: std::io::Error,
+    },
+    /// A file is not a records file.
+    #[error("{}: not a records file: {why}", path.display())]
+    Format {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        why: String,
+    },
+}
+
+impl Records {
+    /// Takes in what another campaign measured on some of the same scenes with other schemes. What it says of the references is
+    /// already here.
+    pub fn take_in(&mut self, other: Records) {
+        self.complete &= other.complete;
+        self.schemes.extend(other.schemes);
+        self.measurements.extend(other.measurements);
+        self.orders.extend(other.orders);
+        self.drifts.extend(other.drifts);
+        self.series.extend(other.series);
+        self.costs.extend(other.costs);
+        self.scaling.extend(other.scaling);
+        self.engines.extend(other.engines);
+        self.peers.extend(other.peers);
+        self.twins.extend(other.twins);
+        let judged = self.verdicts.len();
+        for verdict in other.verdicts {
+            if !self.verdicts[..judged].contains(&verdict) {
+                self.verdicts.push(verdict);
+            }
+        }
+    }
+
+    /// Without the schemes that stand apart.
+    pub fn without_apart(&self) -> Records {
+        let apart: Vec<&str> = self.schemes.iter().filter(|s| s.apart).map(|s| s.name.as_str()).collect();
+        let mut kept = self.clone();
+        let keep = |scheme: &str| !apart.contains(&scheme);
+        kept.schemes.retain(|row| keep(&row.name));
+        kept.measurements.retain(|row| keep(&row.scheme));
+        kept.orders.retain(|row| keep(&row.scheme));
+        kept.drifts.retain(|row| keep(&row.scheme));
+        kept.verdicts.retain(|row| keep(&row.scheme));
+        kept.series.retain(|row| keep(&row.scheme));
+        kept.costs.retain(|row| keep(&row.scheme));
+        kept
+    }
+
+    /// Reads `records.json`.
+    ///
+    /// # Errors
+    /// The file cannot be read, is not JSON of this shape, or follows another schema.
+    pub fn read(path: &Path) -> Result<Records, RecordError> {
+        let text =
+            fs::read_to_string(path).map_err(|source| RecordError::File { path: path.into(), source })?;
+        let format = |why| RecordError::Format { path: path.into(), why };
+        let records: Records = serde_json::from_str(&text).map_err(|error| format(error.to_string()))?;
+        if records.schema != SCHEMA {
+            return Err(format(format!("schema is \"{}\", expected \"{SCHEMA}\"", records.schema)));
+        }
+        Ok(records)
+    }
+}

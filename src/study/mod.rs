@@ -1,0 +1,11 @@
+//! Questions beside the gate: where a scheme is stable, which one to take, what a parameter does, what a step costs.
+
+#[cfg(feature = "cli")]
+pub mod advice;
+pub mod cost;
+#[cfg(feature = "cli")]
+pub mod ensemble;
+#[cfg(feature = "cli")]
+pub mod stability;
+#[cfg(feature = "cli")]
+pub mod sweep;

@@ -1,0 +1,272 @@
+//! Many runs of a scene with its numbers varied, one row each.
+//!
+//! The numbers of the scene file are changed and the file is read again, so that a scene of a sweep is checked like any other:
+//! a body that cannot be is a row that says so. The error is that of the end of the run against a reference of that very
+//! scene, where there is one.
+
+mod axis;
+mod keys;
+
+use rayon::prelude::*;
+
+use crate::interrupt;
+use crate::model::{Quantity, Snapshot, System, difference};
+use crate::reference::Reference;
+use crate::scenes::Scene;
+use crate::simulate::{Contestant, Outcome, Plan};
+use crate::study::ensemble::{Ensemble, Member};
+
+pub use axis::Axis;
+pub use keys::SceneText;
+
+/// The key of the time step [s], which is not one of the scene file.
+pub const STEP: &str = "step";
+/// Samples of a reference: the fewest that there can be, of which the last is used.
+const SAMPLES: usize = 4;
+
+/// A grid of scenes and steps.
+pub struct Sweep {
+    /// Name of the scene file in messages.
+    pub file: String,
+    /// The scene file.
+    pub text: SceneText,
+    /// What is varied; the last axis runs fastest.
+    pub axes: Vec<Axis>,
+    /// The step where it is not varied [s].
+    pub step: f64,
+    /// The quantity whose error is measured.
+    pub quantity: Quantity,
+    /// Whether errors are measured.
+    pub with_errors: bool,
+}
+
+/// A run of a sweep.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// Scheme.
+    pub scheme: &'static str,
+    /// The number of every axis.
+    pub values: Vec<f64>,
+    /// h [s]: the nearest to the one asked for that divides the duration.
+    pub step: f64,
+    /// Steps taken.
+    pub steps: u64,
+    /// `ok`, `broken` or `not-applicable`.
+    pub status: &'static str,
+    /// Why, where it is not `ok`.
+    pub why: Option<String>,
+    /// Error of the quantity at the end, in its unit.
+    pub error: Option<f64>,
+    /// Change of the energy from start to end over the largest kinetic energy seen; of the rotational energy where no torque
+    /// acts, of the total where every law has a potential.
+    pub energy: Option<f64>,
+    /// Evaluations of the forces.
+    pub evaluations: u64,
+}
+
+/// A place of the grid: its numbers and its scene, or why there is none.
+struct Place {
+    values: Vec<f64>,
+    scene: Result<(Scene, Plan), String>,
+    /// The state at the end of the run, of the reference.
+    truth: Option<Snapshot>,
+}
+
+/// What is kept of a run.
+#[derive(Clone, Default)]
+struct Kept {
+    first: Option<Snapshot>,
+    last: Option<Snapshot>,
+    kinetic: f64,
+}
+
+impl Sweep {
+    /// Number of places of the grid.
+    pub fn len(&self) -> usize {
+        self.axes.iter().map(|axis| axis.values.len()).product()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Number of different scenes, each of which needs a reference of its own.
+    pub fn scenes(&self) -> usize {
+        self.axes.iter().filter(|axis| axis.key != STEP).map(|axis| axis.values.len()).product()
+    }
+
+    /// Runs every scheme at every place, the last axis fastest, scheme after scheme.
+    pub fn run(&self, contestants: &[Contestant]) -> Vec<Row> {
+        let places = self.places();
+        contestants.iter().flat_map(|contestant| self.rows(contestant, &places)).collect()
+    }
+
+    fn places(&self) -> Vec<Place> {
+        let steps = self.axes.iter().find(|axis| axis.key == STEP).map_or(1, |axis| axis.values.len());
+        // One reference a scene: places that differ in the step alone share it.
+        let scenes: Vec<(Result<Scene, String>, Option<Snapshot>)> = (0..self.len() / steps.max(1))
+            .into_par_iter()
+            .map(|index| {
+                let scene = self.scene(&self.values(index, |key| key != STEP));
+                let truth = scene.as_ref().ok().and_then(|scene| self.truth(scene));
+                (scene, truth)
+            })
+            .collect();
+        let at = self.axes.iter().position(|axis| axis.key == STEP);
+        let place = |index: usize| {
+            let values = self.values(index, |_| true);
+            let step = at.map_or(self.step, |at| values[at]);
+            let (scene, truth) = &scenes[self.scene_index(index)];
+            let scene = scene.clone().and_then(|scene| {
+                let plan = plan(&scene, step)?;
+                Ok((scene, plan))
+            });
+            Place { values, scene, truth: *truth }
+        };
+        (0..self.len()).map(place).collect()
+    }
+
+    /// Which scene a place has, among those that differ in more than the step.
+    fn scene_index(&self, mut index: usize) -> usize {
+        let (mut scene, mut stride) = (0, 1);
+        for axis in self.axes.iter().rev() {
+            let count = axis.values.len();
+            if axis.key != STEP {
+                scene += index % count * stride;
+                stride *= count;
+            }
+            index /= count;
+        }
+        scene
+    }
+
+    /// The numbers of the wanted axes at a place among them, the last fastest.
+    fn values(&self, mut index: usize, wanted: impl Fn(&str) -> bool) -> Vec<f64> {
+        let mut values: Vec<f64> = Vec::new();
+        for axis in self.axes.iter().rev().filter(|axis| wanted(&axis.key)) {
+            values.push(axis.values[index % axis.values.len()]);
+            index /= axis.values.len();
+        }
+        values.reverse();
+        values
+    }
+
+    fn scene(&self, values: &[f64]) -> Result<Scene, String> {
+        let mut text = self.text.clone();
+        for (axis, value) in self.axes.iter().filter(|axis| axis.key != STEP).zip(values) {
+            text.set(&axis.key, *value);
+        }
+        Scene::parse(&text.text(), &self.file).map_err(|error| error.to_string())
+    }
+
+    fn truth(&self, scene: &Scene) -> Option<Snapshot> {
+        if !self.with_errors || interrupt::requested() {
+            return None;
+        }
+        Reference::of(&scene.system, scene.duration, SAMPLES, None).ok()?.states.last().copied()
+    }
+
+    fn rows(&self, contestant: &Contestant, places: &[Place]) -> Vec<Row> {
+        let refusals: Vec<Option<String>> = places
+            .iter()
+            .map(|place| match &place.scene {
+                Err(why) => Some(why.clone()),
+                Ok((scene, _)) => contestant.refusal(&scene.system).map(|why| why.into_owned()),
+            })
+            .collect();
+        let asked: Vec<(&Place, &Scene, Plan)> = places
+            .iter()
+            .zip(&refusals)
+            .filter(|(_, refusal)| refusal.is_none())
+            .filter_map(|(place, _)| place.scene.as_ref().ok().map(|(scene, plan)| (place, scene, *plan)))
+            .collect();
+        let members = asked
+            .iter()
+            .map(|(_, scene, plan)| Member { system: scene.system.clone(), plan: *plan })
+            .collect();
+        let see = |index: usize, kept: &mut Kept, state: &Snapshot| {
+            kept.first.get_or_insert(*state);
+            kept.last = Some(*state);
+            kept.kinetic = kept.kinetic.max(asked[index].1.system.kinetic_energy(state));
+        };
+        let runs = Ensemble::new(contestant, members)
+            .fold(|index| (index, Kept::default()), |(index, kept), state| see(*index, kept, state));
+        let mut runs = asked.iter().zip(runs);
+        let mut row = |(place, refusal): (&Place, &Option<String>)| match refusal {
+            Some(why) => Row::refused(contestant, place, why),
+            None => match runs.next() {
+                Some(((place, scene, plan), ((_, kept), outcome))) => {
+                    self.row(contestant, place, &scene.system, plan, &kept, &outcome)
+                }
+                None => Row::refused(contestant, place, "not run"),
+            },
+        };
+        places.iter().zip(&refusals).map(&mut row).collect()
+    }
+
+    fn row(
+        &self,
+        contestant: &Contestant,
+        place: &Place,
+        system: &System,
+        plan: &Plan,
+        kept: &Kept,
+        outcome: &Outcome,
+    ) -> Row {
+        let whole = outcome.broken.is_none();
+        let error = kept.last.zip(place.truth).filter(|_| whole).map(|(end, truth)| {
+            let index = Quantity::ALL.iter().position(|one| *one == self.quantity).unwrap_or_default();
+            difference(&system.body, &end, &truth)[index]
+        });
+        Row {
+            scheme: contestant.card.name,
+            values: place.values.clone(),
+            step: plan.step,
+            steps: outcome.steps,
+            status: if whole { "ok" } else { "broken" },
+            why: outcome.broken.as_ref().map(ToString::to_string),
+            error: error.filter(|error| error.is_finite()),
+            energy: if whole { energy_change(system, kept) } else { None },
+            evaluations: outcome.evaluations,
+        }
+    }
+}
+
+impl Row {
+    fn refused(contestant: &Contestant, place: &Place, why: &str) -> Row {
+        Row {
+            scheme: contestant.card.name,
+            values: place.values.clone(),
+            step: place.scene.as_ref().map_or(0.0, |(_, plan)| plan.step),
+            steps: 0,
+            status: "not-applicable",
+            why: Some(why.to_owned()),
+            error: None,
+            energy: None,
+            evaluations: 0,
+        }
+    }
+}
+
+/// The run whose step is nearest to the one asked for.
+fn plan(scene: &Scene, step: f64) -> Result<Plan, String> {
+    let steps = (scene.duration / step).round().max(1.0);
+    if !(step > 0.0 && steps <= 1e12) {
+        return Err(format!("a step of {step} s cannot be taken {} s long", scene.duration));
+    }
+    Ok(Plan { step: scene.duration / steps, steps: steps as u64, every: steps as u64 })
+}
+
+fn energy_change(system: &System, kept: &Kept) -> Option<f64> {
+    let (first, last) = kept.first.zip(kept.last)?;
+    let total = |state: &Snapshot| Some(system.kinetic_energy(state) + system.potential_energy(state)?);
+    let change = if system.torque_free() {
+        system.rotational_energy(&last) - system.rotational_energy(&first)
+    } else if system.forces.conservative() {
+        total(&last)? - total(&first)?
+    } else {
+        return None;
+    };
+    Some(change / kept.kinetic).filter(|change| change.is_finite())
+}
