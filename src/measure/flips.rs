@@ -123,6 +123,7 @@ impl FlipFinder {
     }
 
     /// Takes the next state.
+    #[inline]
     pub fn push(&mut self, state: &Snapshot) {
         let momentum = state.orientation.inverse_transform_vector(&state.angular_momentum);
         let spin = state.orientation.inverse_transform_vector(&state.angular_velocity);
@@ -166,6 +167,7 @@ impl Twice {
         Twice { every: FlipFinder::new(axis), second: FlipFinder::new(axis), pushed: 0 }
     }
 
+    #[inline]
     fn push(&mut self, state: &Snapshot) {
         self.every.push(state);
         if self.pushed.is_multiple_of(2) {

@@ -54,6 +54,7 @@ pub struct FallingRates {
 impl Add for FallingRates {
     type Output = FallingRates;
 
+    #[inline]
     fn add(self, other: FallingRates) -> FallingRates {
         FallingRates {
             spin: self.spin + other.spin,
@@ -66,6 +67,7 @@ impl Add for FallingRates {
 impl Mul<f64> for FallingRates {
     type Output = FallingRates;
 
+    #[inline]
     fn mul(self, factor: f64) -> FallingRates {
         FallingRates {
             spin: self.spin * factor,
@@ -76,11 +78,13 @@ impl Mul<f64> for FallingRates {
 }
 
 impl Rates for FallingRates {
+    #[inline]
     fn motion(self) -> Motion {
         let FallingRates { spin, velocity, acceleration } = self;
         Motion { spin, velocity, acceleration, ..Motion::default() }
     }
 
+    #[inline]
     fn of(motion: Motion) -> FallingRates {
         let Motion { spin, velocity, acceleration, .. } = motion;
         FallingRates { spin, velocity, acceleration }

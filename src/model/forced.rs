@@ -44,6 +44,7 @@ pub struct Motion {
 impl Add for Motion {
     type Output = Motion;
 
+    #[inline]
     fn add(self, other: Motion) -> Motion {
         Motion {
             spin: self.spin + other.spin,
@@ -57,6 +58,7 @@ impl Add for Motion {
 impl Mul<f64> for Motion {
     type Output = Motion;
 
+    #[inline]
     fn mul(self, factor: f64) -> Motion {
         Motion {
             spin: self.spin * factor,
@@ -68,10 +70,12 @@ impl Mul<f64> for Motion {
 }
 
 impl Rates for Motion {
+    #[inline]
     fn motion(self) -> Motion {
         self
     }
 
+    #[inline]
     fn of(motion: Motion) -> Motion {
         motion
     }

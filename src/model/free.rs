@@ -30,10 +30,12 @@ impl Free {
 }
 
 impl Rates for Vector3<f64> {
+    #[inline]
     fn motion(self) -> Motion {
         Motion { spin: self, ..Motion::default() }
     }
 
+    #[inline]
     fn of(motion: Motion) -> Vector3<f64> {
         motion.spin
     }

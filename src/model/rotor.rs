@@ -39,6 +39,7 @@ pub struct RotorRates {
 impl Add for RotorRates {
     type Output = RotorRates;
 
+    #[inline]
     fn add(self, other: RotorRates) -> RotorRates {
         RotorRates { spin: self.spin + other.spin, torque: self.torque + other.torque }
     }
@@ -47,16 +48,19 @@ impl Add for RotorRates {
 impl Mul<f64> for RotorRates {
     type Output = RotorRates;
 
+    #[inline]
     fn mul(self, factor: f64) -> RotorRates {
         RotorRates { spin: self.spin * factor, torque: self.torque * factor }
     }
 }
 
 impl Rates for RotorRates {
+    #[inline]
     fn motion(self) -> Motion {
         Motion { spin: self.spin, torque: self.torque, ..Motion::default() }
     }
 
+    #[inline]
     fn of(motion: Motion) -> RotorRates {
         RotorRates { spin: motion.spin, torque: motion.torque }
     }

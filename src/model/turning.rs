@@ -11,6 +11,7 @@ use super::{Broken, Turning};
 use crate::rotation::{Rotation, formulas, length};
 
 impl Turning for Free {
+    #[inline]
     fn rotational(&self) -> &Rotational {
         &self.rotational
     }
@@ -50,99 +51,123 @@ impl Turning for Free {
         *rates
     }
 
+    #[inline]
     fn torque_of(&self, _rates: &Vector3<f64>) -> Vector3<f64> {
         Vector3::zeros()
     }
 
+    #[inline]
     fn kick(&self, _state: &mut Rotation, _s: f64, _rates: &Vector3<f64>) {}
 
+    #[inline]
     fn drift(&self, _state: &mut Rotation, _s: f64) {}
 
+    #[inline]
     fn apart(&self, a: &Rotation, b: &Rotation) -> f64 {
         attitude_apart(a, b)
     }
 
+    #[inline]
     fn reads_velocity(&self) -> bool {
         false
     }
 }
 
 impl Turning for Falling {
+    #[inline]
     fn rotational(&self) -> &Rotational {
         &self.rotational
     }
 
+    #[inline]
     fn attitude(&self, state: &Self::State) -> Rotation {
         state.attitude
     }
 
+    #[inline]
     fn momentum(&self, _state: &Self::State) -> Vector3<f64> {
         self.start.angular_momentum
     }
 
+    #[inline]
     fn place(&self, state: &mut Self::State, attitude: Rotation, _momentum: Vector3<f64>) {
         state.attitude = attitude;
     }
 
+    #[inline]
     fn spin_of(&self, rates: &Self::Rates) -> Vector3<f64> {
         rates.spin
     }
 
+    #[inline]
     fn torque_of(&self, _rates: &Self::Rates) -> Vector3<f64> {
         Vector3::zeros()
     }
 
+    #[inline]
     fn kick(&self, state: &mut Self::State, s: f64, rates: &Self::Rates) {
         state.velocity += rates.acceleration * s;
     }
 
+    #[inline]
     fn drift(&self, state: &mut Self::State, s: f64) {
         state.position += state.velocity * s;
     }
 
+    #[inline]
     fn apart(&self, a: &Self::State, b: &Self::State) -> f64 {
         attitude_apart(&a.attitude, &b.attitude)
             .max(relative(&a.position, &b.position, &self.start.position))
             .max(relative(&a.velocity, &b.velocity, &self.start.velocity))
     }
 
+    #[inline]
     fn reads_velocity(&self) -> bool {
         false
     }
 }
 
 impl Turning for Rotor {
+    #[inline]
     fn rotational(&self) -> &Rotational {
         &self.rotational
     }
 
+    #[inline]
     fn attitude(&self, state: &Self::State) -> Rotation {
         state.attitude
     }
 
+    #[inline]
     fn momentum(&self, state: &Self::State) -> Vector3<f64> {
         state.momentum
     }
 
+    #[inline]
     fn place(&self, state: &mut Self::State, attitude: Rotation, momentum: Vector3<f64>) {
         state.attitude = attitude;
         state.momentum = momentum;
     }
 
+    #[inline]
     fn spin_of(&self, rates: &Self::Rates) -> Vector3<f64> {
         rates.spin
     }
 
+    #[inline]
     fn torque_of(&self, rates: &Self::Rates) -> Vector3<f64> {
         rates.torque
     }
 
+    #[inline]
     fn kick(&self, state: &mut Self::State, s: f64, rates: &Self::Rates) {
         state.momentum += rates.torque * s;
     }
 
+    #[inline]
     fn drift(&self, _state: &mut Self::State, _s: f64) {}
 
+    #[inline]
     fn apart(&self, a: &Self::State, b: &Self::State) -> f64 {
         attitude_apart(&a.attitude, &b.attitude).max(relative(
             &a.momentum,
@@ -151,46 +176,56 @@ impl Turning for Rotor {
         ))
     }
 
+    #[inline]
     fn reads_velocity(&self) -> bool {
         self.forces.read_velocity()
     }
 }
 
 impl Turning for Forced {
+    #[inline]
     fn rotational(&self) -> &Rotational {
         &self.rotational
     }
 
+    #[inline]
     fn attitude(&self, state: &Self::State) -> Rotation {
         state.attitude
     }
 
+    #[inline]
     fn momentum(&self, state: &Self::State) -> Vector3<f64> {
         state.momentum
     }
 
+    #[inline]
     fn place(&self, state: &mut Self::State, attitude: Rotation, momentum: Vector3<f64>) {
         state.attitude = attitude;
         state.momentum = momentum;
     }
 
+    #[inline]
     fn spin_of(&self, rates: &Self::Rates) -> Vector3<f64> {
         rates.spin
     }
 
+    #[inline]
     fn torque_of(&self, rates: &Self::Rates) -> Vector3<f64> {
         rates.torque
     }
 
+    #[inline]
     fn kick(&self, state: &mut Self::State, s: f64, rates: &Self::Rates) {
         state.velocity += rates.acceleration * s;
         state.momentum += rates.torque * s;
     }
 
+    #[inline]
     fn drift(&self, state: &mut Self::State, s: f64) {
         state.position += state.velocity * s;
     }
 
+    #[inline]
     fn apart(&self, a: &Self::State, b: &Self::State) -> f64 {
         attitude_apart(&a.attitude, &b.attitude)
             .max(relative(&a.position, &b.position, &self.start.position))
@@ -198,12 +233,14 @@ impl Turning for Forced {
             .max(relative(&a.momentum, &b.momentum, &self.start.angular_momentum))
     }
 
+    #[inline]
     fn reads_velocity(&self) -> bool {
         self.forces.read_velocity()
     }
 }
 
 /// |q_a − q_b|: half the angle between two attitudes near each other.
+#[inline]
 fn attitude_apart(a: &Rotation, b: &Rotation) -> f64 {
     (a.as_ref() - b.as_ref()).norm()
 }
@@ -213,6 +250,7 @@ const NEAR_REST: f64 = 1e-4;
 
 /// |a − b| over the larger length, or over that of what has come to rest where this is more: forces that cancel leave a rounding of
 /// what they were, which of a body at rest is no small part. 0 where all are zero.
+#[inline]
 fn relative(a: &Vector3<f64>, b: &Vector3<f64>, start: &Vector3<f64>) -> f64 {
     let size = length(a).max(length(b)).max(NEAR_REST * length(start));
     if size == 0.0 { 0.0 } else { length(&(a - b)) / size }

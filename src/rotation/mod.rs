@@ -17,6 +17,7 @@ use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 pub type Rotation = UnitQuaternion<f64>;
 
 /// Length of a vector, without overflow or underflow of the squares.
+#[inline]
 pub fn length(v: &Vector3<f64>) -> f64 {
     let plain = v.norm_squared();
     if plain > 1e-280 && plain < 1e280 {
@@ -33,6 +34,7 @@ pub fn length(v: &Vector3<f64>) -> f64 {
 ///
 /// With x = |v|/2 the quaternion is (cos x, (sin x / x) v/2). Where x² underflows, sin x / x is 1 to the last
 /// bit anyway; where it would overflow, the length is taken scaled.
+#[inline]
 pub fn turn(v: &Vector3<f64>) -> Rotation {
     let half = v * 0.5;
     let x = length(&half);
@@ -110,6 +112,7 @@ pub fn change_of_turn(spin: &Vector3<f64>, s: f64) -> [[f64; 3]; 3] {
 }
 
 /// The rotation vector of `rotation` [rad], with an angle in [0, π]: the logarithm.
+#[inline]
 pub fn vector_of(rotation: &Rotation) -> Vector3<f64> {
     let sign = if rotation.w < 0.0 { -1.0 } else { 1.0 };
     let imaginary = rotation.imag() * sign;
@@ -139,6 +142,7 @@ pub fn angle_between_directions(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
 
 /// A quaternion that rounding has moved off the unit sphere, put back: one Newton step for 1/|q|, exact to
 /// the order of the square of the deviation.
+#[inline]
 pub fn renormalized(rotation: Rotation) -> Rotation {
     let q = rotation.into_inner();
     Rotation::new_unchecked(q * (1.5 - 0.5 * q.norm_squared()))

@@ -14,6 +14,7 @@ pub(super) struct Accelerations {
 
 impl Accelerations {
     /// v̇ and F/M of rates at an attitude and L.
+    #[inline]
     pub(super) fn of<M: Turning>(
         model: &M,
         rates: &M::Rates,
@@ -28,6 +29,7 @@ impl Accelerations {
     }
 
     /// A weighted sum.
+    #[inline]
     pub(super) fn mixed(&self, part: f64, other: &Accelerations, rest: f64) -> Accelerations {
         Accelerations {
             spin: self.spin * part + other.spin * rest,
@@ -36,12 +38,14 @@ impl Accelerations {
     }
 
     /// As rates, to be kept in the history.
+    #[inline]
     pub(super) fn kept<R: Rates>(&self) -> R {
         let zero = Vector3::zeros();
         R::of(Motion { spin: self.spin, velocity: zero, acceleration: self.velocity, torque: zero })
     }
 
     /// What was kept.
+    #[inline]
     pub(super) fn remembered<R: Rates>(rates: R) -> Accelerations {
         let motion = rates.motion();
         Accelerations { spin: motion.spin, velocity: motion.acceleration }

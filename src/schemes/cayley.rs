@@ -7,6 +7,7 @@ use crate::model::{Broken, Turning};
 use crate::rotation::{Rotation, length};
 
 /// cay(v) = (E − [v]×/2)⁻¹ (E + [v]×/2): the rotation of the quaternion (1, v/2) over its length, by 2 atan(|v|/2).
+#[inline]
 pub(super) fn cayley(v: &Vector3<f64>) -> Rotation {
     Rotation::new_normalize(Quaternion::from_parts(1.0, v / 2.0))
 }
@@ -16,6 +17,7 @@ pub(super) fn cayley(v: &Vector3<f64>) -> Rotation {
 ///
 /// # Errors
 /// [`Broken::NoConvergence`]; [`Broken::Singular`] where a moment is zero.
+#[inline]
 pub(super) fn spin_of_step<M: Turning>(
     model: &M,
     h: f64,

@@ -17,6 +17,7 @@ const MOST: u32 = 100;
 ///
 /// # Errors
 /// [`Broken::NoConvergence`], or what `improve` cannot do.
+#[inline]
 pub(super) fn until_settled<M: Model>(
     model: &M,
     mut improve: impl FnMut() -> Result<f64, Broken>,

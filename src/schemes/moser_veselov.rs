@@ -47,11 +47,13 @@ splitting! {
     }
 }
 
+#[inline]
 fn free_turn(rotational: &Rotational, momentum: &Vector3<f64>, h: f64) -> Result<Rotation, Broken> {
     discrete_turn(&rotational.moments, momentum, h)
 }
 
 /// Solves (1).
+#[inline]
 pub(super) fn discrete_turn(
     moments: &Vector3<f64>,
     momentum: &Vector3<f64>,

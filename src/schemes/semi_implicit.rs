@@ -7,6 +7,7 @@ use crate::model::Turning;
 use crate::rotation::Rotation;
 
 /// The spin about the principal axes and the torque about them, at a state with these rates.
+#[inline]
 pub(super) fn in_body_axes<M: Turning>(
     model: &M,
     state: &M::State,
@@ -18,6 +19,7 @@ pub(super) fn in_body_axes<M: Turning>(
 }
 
 /// ω₁ = ω₀ + h I⁻¹ (τ − ω₀ × I ω₀), about the principal axes of the old attitude.
+#[inline]
 pub(super) fn explicit_spin<M: Turning>(
     model: &M,
     h: f64,
@@ -32,6 +34,7 @@ pub(super) fn explicit_spin<M: Turning>(
 
 /// The step once the new spin ω₁ is known, about the principal axes of the old attitude:
 /// U₁ = U₀ + h F/M, X₁ = X₀ + h U₁, q₁ = q₀ + h/2 Ω₁ q₀ over its length, L₁ = I(q₁) Ω₁ with Ω₁ = R₀ ω₁.
+#[inline]
 pub(super) fn move_by<M: Turning>(
     model: &M,
     h: f64,

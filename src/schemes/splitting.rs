@@ -18,6 +18,7 @@ use crate::rotation::{self, Rotation};
 pub(super) type FreeTurn = fn(&Rotational, &Vector3<f64>, f64) -> Result<Rotation, Broken>;
 
 /// One step (1)–(3) with the rule `turn`.
+#[inline]
 pub(super) fn kick_turn_kick<M: Turning>(
     turn: FreeTurn,
     model: &M,

@@ -29,6 +29,7 @@ pub(super) fn hold<M: Turning>(
 }
 
 /// Gram and Schmidt's process on the columns, from the first on.
+#[inline]
 pub(super) fn orthonormal(a: &Matrix3<f64>) -> Matrix3<f64> {
     let x = a.column(0).normalize();
     let y = (a.column(1) - x * x.dot(&a.column(1))).normalize();

@@ -56,6 +56,7 @@ impl<M: Model> Model for Counted<'_, M> {
         self.model.observe(t, state)
     }
 
+    #[inline(always)]
     fn solved(&self, iterations: u32) {
         self.solves.set(self.solves.get() + 1);
         self.iterations.set(self.iterations.get() + u64::from(iterations));
@@ -105,24 +106,29 @@ impl<M: Turning> Turning for Counted<'_, M> {
         self.model.torque_of(rates)
     }
 
+    #[inline(always)]
     fn kick(&self, state: &mut M::State, s: f64, rates: &M::Rates) {
         self.model.kick(state, s, rates);
     }
 
+    #[inline(always)]
     fn drift(&self, state: &mut M::State, s: f64) {
         self.model.drift(state, s);
     }
 
+    #[inline(always)]
     fn apart(&self, a: &M::State, b: &M::State) -> f64 {
         self.model.apart(a, b)
     }
 
+    #[inline(always)]
     fn reads_velocity(&self) -> bool {
         self.model.reads_velocity()
     }
 }
 
 impl<M: Pointwise> Pointwise for Counted<'_, M> {
+    #[inline(always)]
     fn advance_straight(
         &self,
         from: &M::State,
@@ -134,6 +140,7 @@ impl<M: Pointwise> Pointwise for Counted<'_, M> {
         self.model.advance_straight(from, s, rates, at, into);
     }
 
+    #[inline(always)]
     fn rates_on_levers(&self, t: f64, state: &M::State, levers: &M::State) -> Result<M::Rates, Broken> {
         self.evaluations.set(self.evaluations.get() + 1);
         self.model.rates_on_levers(t, state, levers)

@@ -174,20 +174,40 @@ impl<S: PointScheme, M: Pointwise> Step<M> for OnPoints<S> {
     }
 }
 
+/// A run on its way, whatever scheme and model it is compiled for.
+trait Drive {
+    /// Steps from `from` to `to`, counted from the start of the run; where one fails, its number.
+    fn advance(&mut self, from: u64, to: u64) -> Result<(), (u64, Broken)>;
+
+    /// Keeps the present state to return to.
+    fn keep(&mut self);
+
+    /// Returns to the state that was kept.
+    fn restore(&mut self);
+
+    /// Whether every number of the present state is finite.
+    fn is_finite(&self) -> bool;
+
+    /// The present state at time `t` [s].
+    fn observe(&self, t: f64) -> Result<Snapshot, Broken>;
+
+    /// Puts what was counted into an outcome.
+    fn tell(&self, outcome: &mut Outcome);
+}
+
 /// The buffers of a run, made once.
 struct Stepper<'a, S, M: Model> {
     model: Counted<'a, M>,
     step: f64,
     now: M::State,
     next: M::State,
-    checked: M::State,
+    kept: M::State,
     work: Workspace<Counted<'a, M>>,
-    checked_work: Workspace<Counted<'a, M>>,
+    kept_work: Workspace<Counted<'a, M>>,
     scheme: PhantomData<S>,
 }
 
-impl<'a, S: Step<Counted<'a, M>>, M: Model> Stepper<'a, S, M> {
-    /// Steps from `from` to `to`, counted from the start of the run.
+impl<'a, S: Step<Counted<'a, M>>, M: Model> Drive for Stepper<'a, S, M> {
     fn advance(&mut self, from: u64, to: u64) -> Result<(), (u64, Broken)> {
         // Places are exchanged, not states: those of a small model would be copied with every step.
         let (mut now, mut next) = (&mut self.now, &mut self.next);
@@ -205,28 +225,49 @@ impl<'a, S: Step<Counted<'a, M>>, M: Model> Stepper<'a, S, M> {
         if taken % 2 == 1 {
             std::mem::swap(&mut self.now, &mut self.next);
         }
+        // The state is an output of the loop: without this a run that stores nothing could be deleted.
+        std::hint::black_box(&self.now);
         result
     }
 
-    /// Steps and checks the result. Where it is not finite, the steps are taken again one by one to find the
-    /// first that was not.
-    fn advance_checked(&mut self, from: u64, to: u64) -> Result<(), (u64, Broken)> {
-        self.checked.clone_from(&self.now);
-        self.checked_work.copy_from(&self.work);
-        let result = self.advance(from, to);
-        if result.is_ok() && self.model.is_finite(&self.now) {
-            return Ok(());
-        }
-        self.now.clone_from(&self.checked);
-        self.work.copy_from(&self.checked_work);
-        for n in from..to {
-            self.advance(n, n + 1)?;
-            if !self.model.is_finite(&self.now) {
-                return Err((n + 1, Broken::NotFinite));
-            }
-        }
-        result
+    fn keep(&mut self) {
+        self.kept.clone_from(&self.now);
+        self.kept_work.copy_from(&self.work);
     }
+
+    fn restore(&mut self) {
+        self.now.clone_from(&self.kept);
+        self.work.copy_from(&self.kept_work);
+    }
+
+    fn is_finite(&self) -> bool {
+        self.model.is_finite(&self.now)
+    }
+
+    fn observe(&self, t: f64) -> Result<Snapshot, Broken> {
+        self.model.observe(t, &self.now)
+    }
+
+    fn tell(&self, outcome: &mut Outcome) {
+        self.model.tell(outcome);
+    }
+}
+
+/// Steps and checks the result. Where it is not finite, the steps are taken again one by one to find the first that was not.
+fn advance_checked(run: &mut dyn Drive, from: u64, to: u64) -> Result<(), (u64, Broken)> {
+    run.keep();
+    let result = run.advance(from, to);
+    if result.is_ok() && run.is_finite() {
+        return Ok(());
+    }
+    run.restore();
+    for n in from..to {
+        run.advance(n, n + 1)?;
+        if !run.is_finite() {
+            return Err((n + 1, Broken::NotFinite));
+        }
+    }
+    result
 }
 
 fn run<'a, S: Step<Counted<'a, M>>, M: Model>(
@@ -235,23 +276,28 @@ fn run<'a, S: Step<Counted<'a, M>>, M: Model>(
     store: &mut dyn FnMut(&Snapshot),
 ) -> Outcome {
     let start = model.start();
-    let work = Workspace::new(&start, S::STATES);
+    let work = || Workspace::new(&start, S::STATES);
     let mut stepper = Stepper::<S, M> {
         model: Counted::new(model),
         step: plan.step,
         next: start.clone(),
-        checked: start.clone(),
-        checked_work: Workspace::new(&start, S::STATES),
-        work,
+        kept: start.clone(),
+        kept_work: work(),
+        work: work(),
         now: start,
         scheme: PhantomData,
     };
+    drive(&mut stepper, plan, store)
+}
+
+/// Takes a run to its end, or to where it breaks.
+fn drive(run: &mut dyn Drive, plan: &Plan, store: &mut dyn FnMut(&Snapshot)) -> Outcome {
     let mut outcome = Outcome::none_yet();
     let every = plan.every.max(1);
     let broke = |step: u64, why| Some(Break { step, time: step as f64 * plan.step, why });
     while outcome.broken.is_none() {
         if outcome.steps.is_multiple_of(every) || outcome.steps == plan.steps {
-            match stepper.model.observe(outcome.steps as f64 * plan.step, &stepper.now) {
+            match run.observe(outcome.steps as f64 * plan.step) {
                 Ok(snapshot) => store(&snapshot),
                 Err(why) => outcome.broken = broke(outcome.steps, why),
             }
@@ -266,7 +312,7 @@ fn run<'a, S: Step<Counted<'a, M>>, M: Model>(
         let stored_next = (outcome.steps / every + 1).saturating_mul(every);
         let target = plan.steps.min(stored_next).min(outcome.steps + CHECKED_EVERY);
         let before = Instant::now();
-        let result = stepper.advance_checked(outcome.steps, target);
+        let result = advance_checked(run, outcome.steps, target);
         outcome.nanoseconds += before.elapsed().as_nanos() as u64;
         match result {
             Ok(()) => outcome.steps = target,
@@ -276,8 +322,6 @@ fn run<'a, S: Step<Counted<'a, M>>, M: Model>(
             }
         }
     }
-    // The final state is an output of the loop: without this a run that stores nothing could be deleted.
-    std::hint::black_box(&stepper.now);
-    stepper.model.tell(&mut outcome);
+    run.tell(&mut outcome);
     outcome
 }

@@ -11,6 +11,7 @@ pub enum PerPoint {
 
 impl PerPoint {
     /// The value of point `index`.
+    #[inline]
     pub fn of(&self, index: usize) -> f64 {
         match self {
             PerPoint::Same(value) => *value,

@@ -13,6 +13,7 @@ pub struct Load {
 
 impl Load {
     /// Adds a force that acts at `arm` from the origin [m], world.
+    #[inline]
     pub fn push(&mut self, arm: &Vector3<f64>, force: &Vector3<f64>) {
         self.force += force;
         self.torque += arm.cross(force);
@@ -34,6 +35,7 @@ pub struct Pose {
 
 impl Pose {
     /// Velocity of the body point at `arm` from the origin, U + Ω × arm [m/s].
+    #[inline]
     pub fn velocity_at(&self, arm: &Vector3<f64>) -> Vector3<f64> {
         self.velocity + self.spin.cross(arm)
     }
@@ -57,6 +59,7 @@ pub enum Arms<'a> {
 
 impl Arms<'_> {
     /// The arm of a point.
+    #[inline]
     pub fn at(&self, k: usize) -> Vector3<f64> {
         match self {
             Arms::Listed(arms) => arms[k],
@@ -90,11 +93,13 @@ pub struct Cloud<'a> {
 }
 
 impl Cloud<'_> {
+    #[inline]
     pub(super) fn velocity_at(&self, arm: &Vector3<f64>) -> Vector3<f64> {
         self.velocity + self.spin.cross(arm)
     }
 }
 
+#[inline]
 pub(super) fn each_point(
     cloud: &Cloud,
     load: &mut Load,
@@ -106,6 +111,7 @@ pub(super) fn each_point(
     }
 }
 
+#[inline]
 pub(super) fn sum_points(cloud: &Cloud, potential: impl Fn(usize, &Vector3<f64>) -> f64) -> f64 {
     (0..cloud.masses.len()).map(|k| potential(k, &(cloud.origin + cloud.arms.at(k)))).sum()
 }

@@ -58,6 +58,7 @@ impl Spring {
 
     /// Force [N] on the point at `position` [m] with `velocity` [m/s], world. A spring pulled to length zero
     /// has no direction and, unless its rest length is zero too, gives no elastic force there.
+    #[inline]
     pub fn force(&self, position: &Vector3<f64>, velocity: &Vector3<f64>) -> Vector3<f64> {
         let d = position - self.anchor;
         if self.rest_length == 0.0 {

@@ -58,6 +58,7 @@ impl Rotational {
     }
 
     /// The orientation of the body axes.
+    #[inline]
     pub fn orientation(&self, attitude: &Rotation) -> Rotation {
         attitude * self.body_to_principal
     }

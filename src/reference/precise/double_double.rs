@@ -27,6 +27,7 @@ pub struct DoubleDouble {
 const SPLITTER: f64 = 134_217_729.0;
 
 /// (1)
+#[inline]
 pub(super) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     let shadow = sum - a;
@@ -34,6 +35,7 @@ pub(super) fn two_sum(a: f64, b: f64) -> (f64, f64) {
 }
 
 /// (1) for |a| ≥ |b|.
+#[inline]
 fn quick_two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     (sum, b - (sum - a))
@@ -47,6 +49,7 @@ pub(super) fn split(a: f64) -> (f64, f64) {
 }
 
 /// (2)
+#[inline]
 fn two_product(a: f64, b: f64) -> (f64, f64) {
     let ((a1, a2), (b1, b2)) = (split(a), split(b));
     let product = a * b;
@@ -62,27 +65,32 @@ impl DoubleDouble {
     pub const ROUNDING: f64 = f64::EPSILON * f64::EPSILON;
 
     /// high + low, whatever their sizes.
+    #[inline]
     pub fn of_sum(high: f64, low: f64) -> DoubleDouble {
         let (high, low) = two_sum(high, low);
         DoubleDouble { high, low }
     }
 
     /// The nearest f64.
+    #[inline]
     pub fn to_f64(self) -> f64 {
         self.high
     }
 
     /// Whether both parts are finite.
+    #[inline]
     pub fn is_finite(self) -> bool {
         self.high.is_finite() && self.low.is_finite()
     }
 
     /// |a|.
+    #[inline]
     pub fn abs(self) -> DoubleDouble {
         if self.high < 0.0 { -self } else { self }
     }
 
     /// a times a power of two: exact.
+    #[inline]
     pub fn scaled(self, power_of_two: f64) -> DoubleDouble {
         DoubleDouble { high: self.high * power_of_two, low: self.low * power_of_two }
     }
@@ -101,6 +109,7 @@ impl DoubleDouble {
 }
 
 impl From<f64> for DoubleDouble {
+    #[inline]
     fn from(high: f64) -> DoubleDouble {
         DoubleDouble { high, low: 0.0 }
     }
@@ -109,6 +118,7 @@ impl From<f64> for DoubleDouble {
 impl Add for DoubleDouble {
     type Output = DoubleDouble;
 
+    #[inline]
     fn add(self, other: DoubleDouble) -> DoubleDouble {
         let (sum, error) = two_sum(self.high, other.high);
         let (low, low_error) = two_sum(self.low, other.low);
@@ -119,6 +129,7 @@ impl Add for DoubleDouble {
 }
 
 impl AddAssign for DoubleDouble {
+    #[inline]
     fn add_assign(&mut self, other: DoubleDouble) {
         *self = *self + other;
     }
@@ -127,6 +138,7 @@ impl AddAssign for DoubleDouble {
 impl Neg for DoubleDouble {
     type Output = DoubleDouble;
 
+    #[inline]
     fn neg(self) -> DoubleDouble {
         DoubleDouble { high: -self.high, low: -self.low }
     }
@@ -135,6 +147,7 @@ impl Neg for DoubleDouble {
 impl Sub for DoubleDouble {
     type Output = DoubleDouble;
 
+    #[inline]
     fn sub(self, other: DoubleDouble) -> DoubleDouble {
         self + -other
     }
@@ -143,6 +156,7 @@ impl Sub for DoubleDouble {
 impl Mul for DoubleDouble {
     type Output = DoubleDouble;
 
+    #[inline]
     fn mul(self, other: DoubleDouble) -> DoubleDouble {
         let (product, error) = two_product(self.high, other.high);
         let (high, low) = quick_two_sum(product, error + (self.high * other.low + self.low * other.high));
@@ -153,6 +167,7 @@ impl Mul for DoubleDouble {
 impl Div for DoubleDouble {
     type Output = DoubleDouble;
 
+    #[inline]
     fn div(self, other: DoubleDouble) -> DoubleDouble {
         let first = self.high / other.high;
         let rest = self - other * DoubleDouble::from(first);

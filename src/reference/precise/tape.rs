@@ -24,11 +24,13 @@ struct Coefficient {
 }
 
 impl Coefficient {
+    #[inline]
     fn of(value: DoubleDouble) -> Coefficient {
         let (upper, lower) = split(value.high);
         Coefficient { high: value.high, low: value.low, upper, lower }
     }
 
+    #[inline]
     fn value(&self) -> DoubleDouble {
         DoubleDouble { high: self.high, low: self.low }
     }
@@ -128,15 +130,18 @@ impl Series {
         (0..self.length).map(|k| self.at(index, k)).collect()
     }
 
+    #[inline]
     fn set(&mut self, index: usize, k: usize, value: DoubleDouble) {
         self.coefficients[index * self.length + k] = Coefficient::of(value);
     }
 
+    #[inline]
     fn at(&self, index: usize, k: usize) -> DoubleDouble {
         self.coefficients[index * self.length + k].value()
     }
 
     /// Coefficients from `first` to `last` of a place on the tape.
+    #[inline]
     fn part(&self, index: usize, first: usize, last: usize) -> &[Coefficient] {
         &self.coefficients[index * self.length + first..=index * self.length + last]
     }
