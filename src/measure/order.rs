@@ -1,0 +1,364 @@
+//! One rule for an order.
+//!
+//! The global error of a smooth scheme is e(t; h) = c_p(t) hᵖ + c_{p+1}(t) hᵖ⁺¹ + …, with **vector** coefficients (Gragg 1965; Hairer,
+//! Nørsett, Wanner, Solving ODEs I, II.8). For runs of the steps h₀, h₀/2, h₀/4, … and an order q
+//!
+//! ```text
+//! (1)  r_k(q) = ‖e_k − 2^q e_{k+1}‖ / ‖e_k‖
+//! ```
+//!
+//! falls like h where q is the order, and tends to |1 − 2^(q − p)| ≥ ½ where it is not. A term of lower order that a leading one hides makes
+//! r rise again. The order is the q whose r falls over two halvings to below [`BELOW`], where every finer r stays below it or is
+//! explained by rounding.
+//!
+//! Runs that converge to one another by the same rule, and not to the truth, have converged elsewhere: they solve another motion.
+//!
+//! Over a long run errors saturate at steps that anybody takes. The rule is asked at the end first, then at a quarter of the time, and so
+//! on: what counts is the latest time at which it decides.
+
+/// r of the right order falls below this; that of a wrong one tends to ½ or more, five times as much.
+pub const BELOW: f64 = 0.1;
+/// Falls of r over the last two halvings, at least: half of what h does, on a logarithmic scale, and less for the earlier one.
+const FALLS: [f64; 2] = [1.3, 1.2];
+/// Error over its rounding from which on it counts. Three copies show the size of a rounding to a factor of three or so, and r must
+/// resolve a tenth.
+pub const CLEAR: f64 = 30.0;
+/// Highest order that is asked for.
+const HIGHEST: u32 = 12;
+
+/// One run, as the rule reads it.
+#[derive(Clone, Debug, Default)]
+pub struct Sighting {
+    /// h [s].
+    pub step: f64,
+    /// Steps of the run.
+    pub steps: u64,
+    /// Error at each sample time, the earliest first: the components of one time together.
+    pub errors: Vec<f64>,
+    /// Largest distance of a copy from the run at each sample time.
+    pub rounding: Vec<f64>,
+}
+
+/// A quantity over runs of halved steps, the coarsest first.
+#[derive(Clone, Copy, Debug)]
+pub struct Asked<'a> {
+    /// The runs.
+    pub runs: &'a [Sighting],
+    /// Sample times [s].
+    pub times: &'a [f64],
+    /// Size of the quantity over the motion, in its unit.
+    pub scale: f64,
+    /// What no digit of the run tells, relative: half a unit in the last place that it is told in.
+    pub unit: f64,
+    /// Uncertainty of the truth, in the unit of the quantity.
+    pub uncertainty: f64,
+}
+
+/// What the rule says of a quantity.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Decision {
+    /// Every error is at its rounding.
+    Exact,
+    /// The errors fall with this order.
+    Order(Order),
+    /// The runs converge to another motion than the truth.
+    Elsewhere {
+        /// Length of the error of the finest run at the time of its largest, in the unit of the quantity.
+        error: f64,
+        /// The same of the difference of the two finest runs.
+        apart: f64,
+        /// Step of the finest run [s].
+        step: f64,
+        /// The latest time that is decided [s].
+        until: f64,
+    },
+    /// Neither.
+    Undecided(Doubt),
+}
+
+/// An order that is decided.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Order {
+    /// The order.
+    pub order: u32,
+    /// log₂(‖e_k‖ / ‖e_{k+1}‖) of the two runs that decide it.
+    pub slope: f64,
+    /// r of these runs.
+    pub r: f64,
+    /// Runs up to the finer of the two.
+    pub rungs: usize,
+    /// Step of the finer one [s].
+    pub step: f64,
+    /// Its error over hᵖ, extrapolated to h → 0: ‖2^(p+1) e_{k+1} − e_k‖ / h_{k+1}ᵖ, over the square root of the number of sample times.
+    pub constant: f64,
+    /// The latest time that is decided [s].
+    pub until: f64,
+}
+
+impl Order {
+    /// Bounds of the slope: log₂(1 ± r) about it.
+    pub fn bounds(&self) -> (f64, f64) {
+        let order = f64::from(self.order);
+        (order - (1.0 + self.r).log2(), order - (1.0 - self.r).log2())
+    }
+}
+
+/// Why nothing is decided.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Doubt {
+    /// Fewer than four runs of halved steps came to their end.
+    FewRuns {
+        /// Those that did.
+        whole: usize,
+    },
+    /// Fewer than four errors stand clear of rounding.
+    Rounding {
+        /// Those that do.
+        clear: usize,
+    },
+    /// r falls for no order; `least` is the smallest at the finest runs, and `order` the one that it belongs to.
+    NotAsymptotic {
+        /// Its order.
+        order: u32,
+        /// Its r.
+        least: f64,
+    },
+}
+
+/// Asks the rule at the end, then at a quarter of the time, and so on.
+pub fn decide(asked: &Asked) -> Decision {
+    let mut at_end = None;
+    let mut samples = asked.times.len();
+    while samples > 0 {
+        match decide_until(asked, samples) {
+            found @ (Decision::Order(_) | Decision::Elsewhere { .. }) => return found,
+            // At an early time nothing may have happened yet: that says nothing of the end.
+            Decision::Exact if at_end.is_none() => return Decision::Exact,
+            other => at_end = at_end.or(Some(other)),
+        }
+        samples /= 4;
+    }
+    at_end.unwrap_or(Decision::Undecided(Doubt::FewRuns { whole: 0 }))
+}
+
+/// Asks at the first so many sample times.
+fn decide_until(asked: &Asked, samples: usize) -> Decision {
+    let vectors = Vectors::of(asked, samples);
+    if vectors.errors.len() < 4 {
+        return Decision::Undecided(Doubt::FewRuns { whole: vectors.errors.len() });
+    }
+    if vectors.errors.iter().zip(&vectors.floors).all(|(error, floor)| length(error) <= *floor) {
+        return Decision::Exact;
+    }
+    let until = asked.times[samples - 1];
+    if let Some(order) = vectors.order(samples, until) {
+        return Decision::Order(order);
+    }
+    vectors.elsewhere(samples, until).unwrap_or_else(|| Decision::Undecided(vectors.doubt()))
+}
+
+/// Error vectors of successive runs, each of half the step of the last, and what each must exceed to count.
+struct Vectors<'a> {
+    runs: Vec<&'a Sighting>,
+    errors: Vec<Vec<f64>>,
+    floors: Vec<f64>,
+}
+
+impl<'a> Vectors<'a> {
+    fn of(asked: &Asked<'a>, samples: usize) -> Vectors<'a> {
+        let whole = |run: &&Sighting| {
+            run.errors.len() >= asked.times.len() && run.errors.iter().all(|x| x.is_finite())
+        };
+        let runs: Vec<&Sighting> = asked.runs.iter().filter(whole).collect();
+        let of_all = (samples as f64).sqrt();
+        let errors = runs.iter().map(|run| {
+            let components = run.errors.len() / asked.times.len();
+            run.errors[..samples * components].to_vec()
+        });
+        let floors = runs.iter().map(|run| {
+            let copies = length(&run.rounding[..samples.min(run.rounding.len())]);
+            let steps = f64::EPSILON * run.steps as f64 * asked.scale;
+            let told = asked.unit * asked.scale;
+            (CLEAR * copies).max((steps + CLEAR * told + CLEAR * asked.uncertainty) * of_all)
+        });
+        Vectors { errors: errors.collect(), floors: floors.collect(), runs }
+    }
+
+    /// The same of the differences of successive runs.
+    fn differences(&self) -> Vectors<'a> {
+        let pairs = self.errors.windows(2).map(|pair| combined(&pair[0], -1.0, &pair[1]));
+        let floors = self.floors.windows(2).map(|pair| pair[0] + pair[1]);
+        Vectors { runs: self.runs[1..].to_vec(), errors: pairs.collect(), floors: floors.collect() }
+    }
+
+    /// (1) of successive runs for an order, and what rounding makes of it.
+    fn ratios(&self, order: u32) -> Vec<(f64, f64)> {
+        let power = f64::from(1 << order);
+        let pairs = self.errors.windows(2).zip(self.floors.windows(2));
+        pairs
+            .map(|(e, z)| {
+                let size = length(&e[0]);
+                (length(&combined(&e[0], -power, &e[1])) / size, (z[0] + power * z[1]) / size)
+            })
+            .collect()
+    }
+
+    /// The order whose r has fallen the lowest.
+    fn order(&self, samples: usize, until: f64) -> Option<Order> {
+        let of = |order| self.fallen(order).map(|(k, r)| (order, k, r));
+        let (order, k, r) = (1..=HIGHEST).filter_map(of).min_by(|a, b| a.2.total_cmp(&b.2))?;
+        let (coarse, fine) = (&self.errors[k], &self.errors[k + 1]);
+        let next = f64::from(1 << (order + 1));
+        let step = self.runs[k + 1].step;
+        let limit = length(&combined(coarse, -next, fine)) / (samples as f64).sqrt();
+        Some(Order {
+            order,
+            slope: (length(coarse) / length(fine)).log2(),
+            r,
+            rungs: k + 2,
+            step,
+            constant: limit / step.powi(order as i32),
+            until,
+        })
+    }
+
+    /// The pair of runs at which r of an order is the least of those that have fallen and stay, and that r.
+    fn fallen(&self, order: u32) -> Option<(usize, f64)> {
+        let ratios = self.ratios(order);
+        let fell = |k: usize| {
+            let r = |k: usize| ratios[k].0;
+            r(k) < BELOW && r(k) * FALLS[0] < r(k - 1) && r(k - 1) * FALLS[1] < r(k - 2)
+        };
+        let stays = |k: usize| ratios[k + 1..].iter().all(|(r, rounding)| *r < BELOW || r <= rounding);
+        let clear = |k: usize| length(&self.errors[k]) > self.floors[k];
+        (2..ratios.len())
+            .filter(|k| fell(*k) && stays(*k) && clear(*k))
+            .map(|k| (k, ratios[k].0))
+            .min_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    /// Runs that converge to one another and not to the truth.
+    fn elsewhere(&self, samples: usize, until: f64) -> Option<Decision> {
+        let differences = self.differences();
+        let (error, apart) = (self.errors.last()?, differences.errors.last()?);
+        let together = differences.order(samples, until).is_some()
+            || differences.errors.iter().zip(&differences.floors).all(|(d, z)| length(d) <= *z);
+        // Below its floor an error may be one of the last bit, the same in every run.
+        let clear = length(error) > *self.floors.last()?;
+        if !(together && clear && length(apart) < BELOW * length(error)) {
+            return None;
+        }
+        let largest = |vector: &[f64]| {
+            vector.chunks(vector.len() / samples).map(length).fold(0.0, f64::max)
+        };
+        let step = self.runs.last()?.step;
+        Some(Decision::Elsewhere { error: largest(error), apart: largest(apart), step, until })
+    }
+
+    fn doubt(&self) -> Doubt {
+        let clear = self.errors.iter().zip(&self.floors).filter(|(e, z)| length(e) > **z).count();
+        if clear < 4 {
+            return Doubt::Rounding { clear };
+        }
+        let last = |order| self.ratios(order)[..clear - 1].last().map(|(r, _)| (order, *r));
+        let (order, least) =
+            (1..=HIGHEST).filter_map(last).min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, f64::NAN));
+        Doubt::NotAsymptotic { order, least }
+    }
+}
+
+fn length(vector: &[f64]) -> f64 {
+    let largest = vector.iter().fold(0.0f64, |largest, x| largest.max(x.abs()));
+    if largest == 0.0 || !largest.is_finite() {
+        return largest;
+    }
+    largest * vector.iter().map(|x| (x / largest) * (x / largest)).sum::<f64>().sqrt()
+}
+
+/// a + factor b.
+fn combined(a: &[f64], factor: f64, b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a + factor * b).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TIMES: [f64; 16] =
+        [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0, 16.0];
+
+    /// Runs of halved steps whose error of one component at time t is that of `error(h, t)`.
+    fn runs(error: impl Fn(f64, f64) -> f64) -> Vec<Sighting> {
+        let run = |k: i32| {
+            let step = 0.25 * 0.5f64.powi(k);
+            let errors = TIMES.iter().map(|t| error(step, *t)).collect();
+            Sighting { step, steps: (16.0 / step) as u64, errors, rounding: vec![1e-15; 16] }
+        };
+        (0..8).map(run).collect()
+    }
+
+    fn decided(runs: &[Sighting]) -> Decision {
+        decide(&Asked { runs, times: &TIMES, scale: 1.0, unit: 0.0, uncertainty: 0.0 })
+    }
+
+    fn order(runs: &[Sighting]) -> Option<Order> {
+        if let Decision::Order(order) = decided(runs) { Some(order) } else { None }
+    }
+
+    #[test]
+    fn the_leading_power_is_the_order_and_its_coefficient_the_constant() {
+        for p in 1..=6 {
+            let found = order(&runs(|h, t| 3.0 * h.powi(p) + t * h.powi(p + 1))).expect("an order");
+            assert_eq!((found.order, found.until), (p as u32, 16.0));
+            let (low, high) = found.bounds();
+            assert!(low <= found.slope && found.slope <= high, "{found:?}");
+            // The next term is gone, and there is no other: rounding of 8 runs is left.
+            assert!((found.constant / 3.0 - 1.0).abs() < 1e-9, "{found:?}");
+        }
+    }
+
+    #[test]
+    fn coefficients_that_cancel_at_one_time_do_not_hide_the_order() {
+        // The second-order coefficient changes its sign near t = 8, where the third-order term leads.
+        let found = order(&runs(|h, t| (t - 8.01) * h * h + 20.0 * h.powi(3))).expect("an order");
+        assert_eq!(found.order, 2);
+    }
+
+    #[test]
+    fn a_lower_order_that_the_leading_one_hides_is_not_passed_over() {
+        // 1e-3 of a first-order term: r of order 2 falls at first, then rises; no order is decided at these steps.
+        let found = decided(&runs(|h, _| h * h + 1e-3 * h));
+        assert!(matches!(found, Decision::Undecided(Doubt::NotAsymptotic { .. })), "{found:?}");
+        assert_eq!(order(&runs(|h, _| h * h + 30.0 * h)).map(|found| found.order), Some(1));
+    }
+
+    #[test]
+    fn an_error_that_saturates_is_decided_at_an_earlier_time() {
+        let saturated = |h: f64, t: f64| if t > 5.0 { (t / h).sin() } else { h * h * (1.0 + h) };
+        let found = order(&runs(saturated)).expect("an order");
+        assert_eq!((found.order, found.until), (2, 4.0));
+    }
+
+    #[test]
+    fn runs_that_agree_with_one_another_and_not_with_the_truth_have_converged_elsewhere() {
+        for off in [2.0, 1e-4] {
+            let found = decided(&runs(|h, _| off + 1e-2 * off * (h * h + h.powi(3))));
+            assert!(
+                matches!(found, Decision::Elsewhere { error, .. } if (error / off - 1.0).abs() < 1e-2),
+                "{found:?}"
+            );
+        }
+        // Exactly the same other motion at every step.
+        assert!(matches!(decided(&runs(|_, _| 0.19)), Decision::Elsewhere { .. }));
+        // Off by less than counts as an error.
+        assert_eq!(decided(&runs(|_, _| 1e-15)), Decision::Exact);
+    }
+
+    #[test]
+    fn what_is_at_its_rounding_is_exact_and_what_is_not_finite_is_no_run() {
+        assert_eq!(decided(&runs(|h, _| 1e-14 * h)), Decision::Exact);
+        let broken = decided(&runs(|h, _| if h < 0.1 { f64::NAN } else { h }));
+        assert_eq!(broken, Decision::Undecided(Doubt::FewRuns { whole: 2 }));
+        assert!(matches!(decided(&[]), Decision::Undecided(Doubt::FewRuns { whole: 0 })));
+    }
+}
