@@ -6,4 +6,6 @@ mod common;
 
 mod bibliography;
 mod cards;
+mod lists;
 mod rooms;
+mod sources;

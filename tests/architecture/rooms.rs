@@ -1,10 +1,35 @@
-//! Dependencies between modules point one way; no other edge than these is allowed.
+//! The rooms of the crate are those of its layout, and dependencies between them point one way.
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::Path;
 
-/// A module and those it may use.
+use crate::sources::{self, File};
+
+/// The rooms of the layout.
+const ROOMS: [&str; 18] = [
+    "arithmetic",
+    "campaign",
+    "claim",
+    "cli",
+    "engine",
+    "gates",
+    "log",
+    "measure",
+    "model",
+    "record",
+    "reference",
+    "report",
+    "rotation",
+    "scenes",
+    "schemes",
+    "self_test",
+    "simulate",
+    "study",
+];
+/// What several rooms share, or a single function for users.
+const HELPERS: [&str; 3] = ["assertion", "interrupt", "ode"];
+
+/// A room and those it may use.
 const EDGES: &[(&str, &[&str])] = &[
     ("interrupt", &[]),
     ("arithmetic", &[]),
@@ -100,54 +125,68 @@ const EDGES: &[(&str, &[&str])] = &[
     ),
 ];
 
-fn sources(path: &Path, found: &mut Vec<String>) {
-    if path.is_dir() {
-        for entry in fs::read_dir(path).expect("a folder") {
-            sources(&entry.expect("an entry").path(), found);
-        }
-    } else if path.extension().is_some_and(|ending| ending == "rs") {
-        found.push(fs::read_to_string(path).expect("text"));
-    }
+/// A room of `study`, and the other rooms of `study` that it may use.
+const STUDIES: &[(&str, &[&str])] = &[
+    ("cost", &[]),
+    ("ensemble", &[]),
+    ("advice", &["cost"]),
+    ("stability", &["ensemble"]),
+    ("sweep", &["ensemble"]),
+];
+
+/// What a scheme must not know: who examines it, and on what.
+const EXAMINERS: [&str; 11] = [
+    "scenes",
+    "reference",
+    "simulate",
+    "measure",
+    "gates",
+    "campaign",
+    "study",
+    "record",
+    "engine",
+    "report",
+    "self_test",
+];
+
+/// The other rooms that a room names.
+fn used_rooms(room: &str) -> BTreeSet<String> {
+    let files: Vec<File> = sources::of("src").into_iter().filter(|file| file.is_in(room)).collect();
+    assert!(!files.is_empty(), "room {room} has no source");
+    let mut used: BTreeSet<String> =
+        files.iter().flat_map(|file| file.paths().into_iter().map(|path| path[0].clone())).collect();
+    used.remove(room);
+    used
 }
 
-fn used_modules(name: &str) -> BTreeSet<String> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let mut texts = Vec::new();
-    for place in [root.join(format!("{name}.rs")), root.join(name)] {
-        if place.exists() {
-            sources(&place, &mut texts);
-        }
+#[test]
+fn the_rooms_are_those_of_the_layout() {
+    let entries = fs::read_dir(sources::root().join("src")).expect("a folder");
+    let mut found: BTreeSet<String> = entries
+        .map(|entry| entry.expect("an entry").file_name().into_string().expect("a name"))
+        .map(|name| name.trim_end_matches(".rs").to_owned())
+        .collect();
+    for root in ["lib", "main"] {
+        assert!(found.remove(root), "src/{root}.rs");
     }
-    assert!(!texts.is_empty(), "module {name} has no source");
-    let is_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
-    texts
-        .iter()
-        .flat_map(|text| text.match_indices("crate::").map(|(at, word)| &text[at + word.len()..]))
-        .map(|rest| rest.chars().take_while(|c| is_name(*c)).collect::<String>())
-        .filter(|module| module != name && !module.is_empty())
-        .collect()
+    let expected: BTreeSet<String> = ROOMS.iter().chain(&HELPERS).map(|name| (*name).to_owned()).collect();
+    let odd: Vec<&String> = found.symmetric_difference(&expected).collect();
+    assert!(odd.is_empty(), "only in src, or only in the layout: {odd:?}");
 }
 
 #[test]
 fn dependencies_point_one_way() {
-    for (module, allowed) in EDGES {
-        for used in used_modules(module) {
-            assert!(
-                allowed.contains(&used.as_str()),
-                "{module} uses {used}, which the design does not allow"
-            );
+    for (room, allowed) in EDGES {
+        for used in used_rooms(room) {
+            assert!(allowed.contains(&used.as_str()), "{room} uses {used}, which the design does not allow");
         }
     }
 }
 
 #[test]
 fn every_module_stands_in_the_table_and_in_the_order_of_dependency() {
-    let library = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("src/lib.rs")).expect("text");
-    let declared: Vec<&str> = library
-        .lines()
-        .map(|line| line.strip_prefix("pub ").unwrap_or(line))
-        .filter_map(|line| line.strip_prefix("mod ")?.strip_suffix(';'))
-        .collect();
+    let library = sources::of("src").into_iter().find(|file| file.path.ends_with("lib.rs")).expect("lib.rs");
+    let declared: Vec<String> = library.declared().into_iter().map(|module| module.name).collect();
     for (index, module) in declared.iter().enumerate() {
         let (_, allowed) = EDGES.iter().find(|(name, _)| name == module).expect("a row for every module");
         for used in *allowed {
@@ -160,8 +199,23 @@ fn every_module_stands_in_the_table_and_in_the_order_of_dependency() {
 
 #[test]
 fn a_scheme_sees_no_scene_no_reference_and_no_gate() {
-    let used = used_modules("schemes");
-    for examiner in ["scenes", "reference", "measure", "gates", "campaign", "simulate"] {
-        assert!(!used.contains(examiner), "schemes use {examiner}");
+    let used = used_rooms("schemes");
+    for examiner in EXAMINERS {
+        assert!(ROOMS.contains(&examiner) && !used.contains(examiner), "schemes use {examiner}");
     }
+}
+
+#[test]
+fn a_study_uses_no_other_studies_than_its_table_allows() {
+    let mut met = BTreeSet::new();
+    for file in sources::of("src").iter().filter(|file| file.is_in("study")) {
+        let Some(own) = file.module.get(1) else { continue };
+        met.insert(own.clone());
+        let (_, allowed) = STUDIES.iter().find(|(name, _)| name == own).expect("a row for every study");
+        for path in file.paths().iter().filter(|path| path[0] == "study") {
+            let used = path.get(1).map_or("several studies at once", String::as_str);
+            assert!(used == own || allowed.contains(&used), "{}: {own} uses {used}", file.path.display());
+        }
+    }
+    assert_eq!(met.len(), STUDIES.len());
 }
