@@ -1,6 +1,7 @@
 //! The speed targets as one table: `cargo bench --bench table`.
 //!
-//! Ratios are worth more than nanoseconds. The first row stands twice: what its two figures differ by is noise.
+//! Ratios are worth more than nanoseconds. The first row stands twice: what its two figures differ by is
+//! noise.
 
 mod common;
 

@@ -1,4 +1,5 @@
-//! How the benches measure: all rows in one process, in turn, in short blocks. A row is the minimum over its blocks.
+//! How the benches measure: all rows in one process, in turn, in short blocks. A row is the minimum over its
+//! blocks.
 
 use std::time::{Duration, Instant};
 

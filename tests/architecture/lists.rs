@@ -37,7 +37,8 @@ fn plain(path: &Path) -> PathBuf {
     plain
 }
 
-/// A file and all those that its `mod` lines lead to. A macro that writes such lines hides the files from `cargo fmt`.
+/// A file and all those that its `mod` lines lead to. A macro that writes such lines hides the files from
+/// `cargo fmt`.
 fn follow(path: &Path, is_root: bool, met: &mut BTreeSet<PathBuf>) {
     met.insert(path.to_owned());
     let folder = path.parent().expect("a folder");

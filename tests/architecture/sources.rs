@@ -72,7 +72,8 @@ impl File {
         self.module.first().is_some_and(|first| first == room)
     }
 
-    /// The paths of the crate that the file names: `crate::a::b` as it stands, `super::b` from where the file stands.
+    /// The paths of the crate that the file names: `crate::a::b` as it stands, `super::b` from where the file
+    /// stands.
     pub fn paths(&self) -> Vec<Vec<String>> {
         let mut paths = Vec::new();
         for (at, word) in self.text.match_indices("crate::") {

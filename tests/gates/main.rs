@@ -1,5 +1,5 @@
-//! The gates: at their bounds, in cases whose numbers are made up; on real runs, of schemes that keep their claims and of schemes
-//! that do not; and as the assertion of a user.
+//! The gates: at their bounds, in cases whose numbers are made up; on real runs, of schemes that keep their
+//! claims and of schemes that do not; and as the assertion of a user.
 
 #[path = "../common/mod.rs"]
 mod common;

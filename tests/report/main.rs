@@ -1,4 +1,5 @@
-//! The report: what it must hold whatever was measured, what build servers are told, and that the published one is up to date.
+//! The report: what it must hold whatever was measured, what build servers are told, and that the published
+//! one is up to date.
 
 #[path = "../common/mod.rs"]
 mod common;

@@ -1,5 +1,5 @@
-//! The schemes: their steps against independent computations, their orders, errors and energies against known ones, what they
-//! solve and allocate.
+//! The schemes: their steps against independent computations, their orders, errors and energies against known
+//! ones, what they solve and allocate.
 
 #[path = "../common/mod.rs"]
 mod common;

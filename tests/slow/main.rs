@@ -1,6 +1,6 @@
-//! What takes longer than ten seconds in an optimised build, by itself or with what belongs to it: planted defects,
-//! random scenes, closed forms after a million radians, the studies of stability, a report of thirty scenes.
-//! `cargo test --release` runs it like the others; `cargo test --release --test slow` runs it alone.
+//! What takes longer than ten seconds in an optimised build, by itself or with what belongs to it: planted
+//! defects, random scenes, closed forms after a million radians, the studies of stability, a report of thirty
+//! scenes. `cargo test --release` runs it like the others; `cargo test --release --test slow` runs it alone.
 
 #[path = "../common/mod.rs"]
 mod common;
