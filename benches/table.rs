@@ -1,11 +1,14 @@
 //! The speed targets as one table: `cargo bench --bench table`.
 //!
-//! Ratios are worth more than nanoseconds, so that all rows are measured in one process, in turn, in short blocks; a
-//! row is the minimum over its blocks. The first row stands twice: what its two figures differ by is noise.
+//! Ratios are worth more than nanoseconds. The first row stands twice: what its two figures differ by is
+//! noise.
+
+mod common;
 
 use std::cell::Cell;
 use std::time::{Duration, Instant};
 
+use common::{Row, contestant, measure};
 use nalgebra::Vector3;
 use polhode::internals::arithmetic::Registers;
 use polhode::internals::rotation::{self, Rotation};
@@ -13,53 +16,28 @@ use polhode::internals::study::ensemble::{Ensemble, Member};
 use polhode::model::body::{Body, MassPoint};
 use polhode::model::forces::{Attachment, Drag, Gravity, Law, PerPoint, Spring};
 use polhode::model::{Spin, System};
-use polhode::simulate::{Contestant, Form, Plan};
+use polhode::simulate::{Form, Plan};
 
 /// How long every row is measured.
 const FOR: Duration = Duration::from_millis(400);
-/// Length of a block.
-const BLOCK: Duration = Duration::from_micros(60);
 /// Bodies of the batch, how many of them a block takes, and for how many steps.
 const BODIES: usize = 10_000;
 const BODIES_OF_A_BLOCK: usize = 80;
 const BATCH_STEPS: u64 = 500;
 
-/// A row: what is timed gives nanoseconds for one unit, from a number of steps.
-struct Row {
-    name: String,
+/// A row, and the nanoseconds that it is to stay below; `share` is 1 over the number of units in a step.
+fn row(
+    name: &str,
     target: &'static str,
-    /// Steps a unit: 1, or 1 over the number of points.
     share: f64,
-    run: Box<dyn Fn(u64) -> f64>,
-    steps: u64,
-    best: f64,
-    spent: Duration,
-}
-
-fn row(name: &str, target: &'static str, share: f64, run: impl Fn(u64) -> f64 + 'static) -> Row {
-    Row {
-        name: name.to_owned(),
-        target,
-        share,
-        run: Box::new(run),
-        steps: 16,
-        best: f64::INFINITY,
-        spent: Duration::ZERO,
-    }
+    run: impl Fn(u64) -> f64 + 'static,
+) -> (Row, &'static str) {
+    (Row::new(name.to_owned(), move |steps| share * run(steps)), target)
 }
 
 /// Nanoseconds a step of a scheme on a system.
 fn steps(scheme: &str, system: System, form: Form) -> impl Fn(u64) -> f64 + 'static {
-    let contestant =
-        Contestant::all().into_iter().find(|c| c.card.name == scheme).expect("a scheme of the list");
-    move |steps| {
-        let plan = Plan { step: 0.01, steps, every: steps };
-        let outcome = contestant.stream(&system, form, &plan, &mut |state| {
-            std::hint::black_box(state);
-        });
-        assert!(outcome.broken.is_none());
-        outcome.nanoseconds as f64 / steps as f64
-    }
+    common::steps(contestant(scheme), system, form, 0.01)
 }
 
 fn system(points: &[MassPoint], laws: Vec<Law>) -> System {
@@ -95,7 +73,7 @@ fn gravity_and_drag() -> Vec<Law> {
 
 /// Nanoseconds a body-step of many free bodies.
 fn batch(registers: Registers) -> impl Fn(u64) -> f64 + 'static {
-    let contestant = Contestant::all().into_iter().find(|c| c.card.name == "peskin-rk2").expect("a scheme");
+    let contestant = contestant("peskin-rk2");
     let plan = Plan { step: 0.01, steps: BATCH_STEPS, every: BATCH_STEPS };
     let body = system(&helix(5), Vec::new());
     let member = |k: usize| {
@@ -121,7 +99,7 @@ fn batch(registers: Registers) -> impl Fn(u64) -> f64 + 'static {
     }
 }
 
-fn rows() -> Vec<Row> {
+fn rows() -> Vec<(Row, &'static str)> {
     let five = helix(5);
     let free = system(&five, Vec::new());
     let least = Form::Least;
@@ -163,25 +141,13 @@ fn rows() -> Vec<Row> {
 }
 
 fn main() {
-    // `cargo test` runs benches too, with this argument: then nothing is measured.
-    if std::env::args().any(|argument| argument == "--test") {
+    if common::is_test() {
         return;
     }
-    let mut rows = rows();
-    while rows.iter().any(|row| row.spent < FOR) {
-        for row in rows.iter_mut().filter(|row| row.spent < FOR) {
-            let before = Instant::now();
-            let cost = (row.run)(row.steps);
-            let elapsed = before.elapsed();
-            row.spent += elapsed;
-            row.best = row.best.min(cost * row.share);
-            if elapsed < BLOCK && row.steps < 1 << 16 {
-                row.steps *= 2;
-            }
-        }
-    }
+    let (mut rows, targets): (Vec<Row>, Vec<_>) = rows().into_iter().unzip();
+    measure(&mut rows, FOR);
     println!("| what | ns | at most |\n|---|---|---|");
-    for row in &rows {
-        println!("| {} | {:.2} | {} |", row.name, row.best, row.target);
+    for (row, target) in rows.iter().zip(targets) {
+        println!("| {} | {:.2} | {target} |", row.name, row.best);
     }
 }

@@ -8,6 +8,7 @@ mod body;
 mod error;
 mod laws;
 mod list;
+#[cfg(feature = "cli")]
 pub(crate) mod random;
 mod start;
 mod table;

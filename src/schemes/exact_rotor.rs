@@ -9,9 +9,9 @@ use nalgebra::Vector3;
 use super::Card;
 use super::splitting::splitting;
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
-use crate::rotation::free_rotor;
 use crate::model::{Broken, Rotational};
 use crate::rotation::Rotation;
+use crate::rotation::free_rotor;
 
 splitting! {
     /// Jacobi's elliptic functions and a kick.

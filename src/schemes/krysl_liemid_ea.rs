@@ -75,12 +75,7 @@ impl TurningScheme for KryslLiemidEa {
 }
 
 /// The attitude of a free body after a time `s`, by (3).
-fn free_midpoint<M: Turning>(
-    model: &M,
-    s: f64,
-    q: &Rotation,
-    l: &Vector3<f64>,
-) -> Result<Rotation, Broken> {
+fn free_midpoint<M: Turning>(model: &M, s: f64, q: &Rotation, l: &Vector3<f64>) -> Result<Rotation, Broken> {
     let body = model.rotational();
     let mut angle = body.spin(q, l) * s;
     until_settled(model, || {

@@ -53,7 +53,8 @@ impl Scheme for Magnus4 {
     ) -> Result<(), Broken> {
         let [stage] = work.buffers();
         let [c1, c2] = gauss_points();
-        let (mut k1, mut k2) = { let k0 = model.rates(t, from)?; (k0, k0) }; // (0)
+        let k0 = model.rates(t, from)?; // (0)
+        let (mut k1, mut k2) = (k0, k0);
         for _ in 0..SWEEPS {
             model.advance(from, h, &expanded(c1, h, &k1, &k2), stage); // (1)
             let first = model.rates(t + c1 * h, stage)?;

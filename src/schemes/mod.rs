@@ -4,21 +4,82 @@
 //! axes. It sees no scene, no reference and no gate: it
 //! cannot know that it is being examined.
 
+// What schemes share.
 mod accelerations;
+mod adams_bashforth;
 #[cfg(feature = "solvers")]
 pub(crate) mod adaptive;
 mod card;
 mod cayley;
 mod collocation;
+mod composed;
 mod iteration;
 mod multipliers;
+mod preprocessing;
 mod semi_implicit;
+mod splitting;
+mod substepped;
 mod vector_form;
+
+// The schemes, in the order of the list.
+mod peskin_rk2;
+mod euler;
+mod peskin_heun;
+mod peskin_ralston;
+mod peskin_trapezoid;
+mod peskin_cayley;
+mod peskin_rk3;
+mod peskin_rk4;
+mod course_notes_euler;
+mod substepped_4_euler;
+mod crouch_grossman_3;
+mod rkmk4;
+mod magnus_4;
+mod strang_rotations;
+mod strang_symmetric;
+mod exact_rotor;
+mod no_squish;
+mod rattle;
+mod omelyan_leapfrog;
+mod moser_veselov;
+mod moser_veselov_4;
+mod moser_veselov_6;
+mod moser_veselov_8;
+mod moser_veselov_10;
+mod yoshida_4;
+mod suzuki_4;
+mod kahan_li_6;
+mod kahan_li_8;
+mod rk4_quaternion;
+mod rk4_matrix;
+mod semi_implicit_euler_no_gyro;
+mod semi_implicit_euler_explicit_gyro;
+mod semi_implicit_euler_implicit_gyro;
+mod momentum_clamped_euler;
+mod implicit_midpoint;
+mod krysl_liemid;
+mod krysl_liemid_ea;
+mod simo_wong;
+mod buss_augmented;
+mod lie_verlet;
+mod generalized_alpha;
+mod gauss_legendre_4;
+mod gauss_legendre_6;
+mod cf4;
+mod adams_bashforth_2;
+mod adams_bashforth_3;
+mod adams_bashforth_4;
+mod adams_bashforth_3_cold;
+mod adams_bashforth_4_cold;
+mod euler_linear;
+mod rk2_linear;
+mod course_code_euler;
 
 use crate::model::{Broken, Model, Pointwise, Turning};
 
 pub use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 pub use card::Card;
+pub use substepped::Substepped;
 
 /// Rates of earlier steps that are kept without a further allocation.
 const HISTORY: usize = 8;
@@ -157,19 +218,15 @@ pub trait Visitor {
     fn visit_points<S: PointScheme>(&self) -> Self::Output;
 }
 
-mod composed;
-mod preprocessing;
-mod splitting;
-
 macro_rules! list {
     (
         any: $($module:ident::$scheme:ident),* ;
         turning: $($turning_module:ident::$turning:ident),* ;
         points: $($points_module:ident::$points:ident),* ;
     ) => {
-        $(mod $module; pub use $module::$scheme;)*
-        $(mod $turning_module; pub use $turning_module::$turning;)*
-        $(mod $points_module; pub use $points_module::$points;)*
+        $(pub use $module::$scheme;)*
+        $(pub use $turning_module::$turning;)*
+        $(pub use $points_module::$points;)*
 
         /// Calls the visitor with every scheme, in the order of the list.
         pub fn visit_all<V: Visitor>(visitor: &V) -> Vec<V::Output> {
@@ -181,11 +238,6 @@ macro_rules! list {
         }
     };
 }
-
-mod adams_bashforth;
-mod substepped;
-
-pub use substepped::Substepped;
 
 /// The schemes that a report and a gate cover unless told otherwise: one or two of each family, and those that
 /// engines use.

@@ -98,7 +98,7 @@ macro_rules! preprocessed_scheme {
                     Claim::VerticalMomentum,
                     Claim::Rigid,
                     Claim::Evaluations(1),
-            Claim::Equivariant,
+                    Claim::Equivariant,
                 ],
             }
         }

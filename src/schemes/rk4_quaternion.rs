@@ -59,8 +59,7 @@ impl TurningScheme for Rk4Quaternion {
         let k1 = model.rates(t, from)?;
         let d1 = rate_of(&model.spin_of(&k1), &q0) * (h / 2.0); // (1)
         let q2 = q0 + d1;
-        let (k2, d2) =
-            model.rates_at_stage(t + h / 2.0, (from, h / 2.0, &k1), (&q2, h / 2.0), stage)?; // (2)
+        let (k2, d2) = model.rates_at_stage(t + h / 2.0, (from, h / 2.0, &k1), (&q2, h / 2.0), stage)?; // (2)
         let q3 = q0 + d2;
         let (k3, d3) = model.rates_at_stage(t + h / 2.0, (from, h / 2.0, &k2), (&q3, h), stage)?; // (3)
         let q4 = q0 + d3;

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::program::{code, json, polhode, scratch, stderr};
+use crate::common::program::{code, json, polhode, scratch, stderr};
 
 #[test]
 fn advice_is_a_step_that_divides_the_duration_and_whose_run_meets_the_tolerance() {

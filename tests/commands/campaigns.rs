@@ -6,7 +6,7 @@ use std::process::Command;
 
 use serde_json::Value;
 
-use crate::program::{code, polhode, scratch, stderr};
+use crate::common::program::{code, polhode, scratch, stderr};
 
 #[test]
 fn the_gate_is_0_where_all_holds_1_where_a_claim_fails_and_2_where_nothing_is_decided() {

@@ -1,10 +1,10 @@
 //! `polhode compare` from outside, and schemes in equal parts of a step.
 
-use polhode::scenes::Scene;
 use polhode::simulate::{Contestant, Form, Plan};
 use serde_json::Value;
 
-use crate::program::{code, polhode, stdout};
+use crate::common::program::{code, polhode, scratch, stdout};
+use crate::common::{contestant, scene};
 
 /// Exit code and rows of a comparison of two schemes in a scene.
 fn compare(a: &str, b: &str, scene: &str) -> (i32, Vec<String>) {
@@ -74,7 +74,7 @@ fn the_same_work_in_other_parts_is_the_same_scheme() {
 
 /// A records file with some of its numbers changed, compared with what it was.
 fn doctored(change: impl Fn(&mut Value)) -> i32 {
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = scratch();
     let (before, after) = (folder.path().join("before.json"), folder.path().join("after.json"));
     let scene = ["--scene", "free-asymmetric", "--scheme", "peskin-rk2"];
     let name = before.to_string_lossy();
@@ -117,10 +117,6 @@ fn records_files_are_worse_by_constant_drift_work_and_by_what_is_lost_but_not_by
     assert_eq!(doctored(|r| each(r, "orders").for_each(lost)), 1);
 }
 
-fn scheme(name: &str) -> Contestant {
-    Contestant::all().into_iter().find(|c| c.card.name == name).expect("a scheme of the list")
-}
-
 #[test]
 fn parts_of_a_step_are_steps_of_the_scheme_itself() {
     for contestant in Contestant::all() {
@@ -128,7 +124,7 @@ fn parts_of_a_step_are_steps_of_the_scheme_itself() {
         assert_eq!(parts.card.name, format!("substepped-3-{}", contestant.card.name));
         assert_eq!(parts.card.evaluations(), 3 * contestant.card.evaluations());
         assert_eq!(parts.card.order(), contestant.card.order());
-        let system = Scene::find("tether-springs").expect("built in").system;
+        let system = scene("tether-springs").system;
         if contestant.refusal(&system).is_some() {
             continue;
         }
@@ -145,10 +141,10 @@ fn parts_of_a_step_are_steps_of_the_scheme_itself() {
 
 #[test]
 fn the_listed_euler_in_four_parts_is_the_option_of_that_name() {
-    let system = Scene::find("gravity-drag").expect("built in").system;
+    let system = scene("gravity-drag").system;
     let plan = Plan { step: 1.0 / 64.0, steps: 64, every: 64 };
-    let option = scheme("euler").substepped(4).expect("parts");
-    let [listed, option] = [scheme("substepped-4-euler"), option].map(|c| {
+    let option = contestant("euler").substepped(4).expect("parts");
+    let [listed, option] = [contestant("substepped-4-euler"), option].map(|c| {
         assert_eq!(c.card.name, "substepped-4-euler");
         c.run(&system, Form::Least, &plan).states[1]
     });

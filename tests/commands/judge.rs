@@ -6,7 +6,7 @@ use std::process::Output;
 
 use serde_json::Value;
 
-use crate::program::{code, polhode, stderr, stdout};
+use crate::common::program::{code, polhode, scratch, stderr, stdout};
 
 const COLUMNS: [&str; 14] = ["t", "x", "y", "z", "qw", "qx", "qy", "qz", "vx", "vy", "vz", "wx", "wy", "wz"];
 const SCENE: &str = "free-asymmetric";
@@ -52,7 +52,7 @@ impl Judged {
 }
 
 fn judge_in(scene: &str, log: &str, options: &[&str]) -> Judged {
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = scratch();
     let (path, json) = (folder.path().join("log.csv"), folder.path().join("records.json"));
     fs::write(&path, log).expect("written");
     let (path, json_name) = (path.to_string_lossy(), json.to_string_lossy());

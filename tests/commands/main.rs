@@ -1,8 +1,13 @@
 //! The commands from outside.
 
+#[path = "../common/mod.rs"]
+mod common;
+
+mod advice;
 mod advise_and_sweep;
 mod campaigns;
 mod comparing;
 mod judge;
-mod program;
+mod reference;
 mod runs;
+mod stability;

@@ -5,7 +5,7 @@ use std::process::Command;
 
 use serde_json::Value;
 
-use crate::program::{code, json, polhode, scratch, stderr};
+use crate::common::program::{code, json, polhode, scratch, stderr};
 
 #[test]
 fn a_run_in_json_has_the_documented_shape() {

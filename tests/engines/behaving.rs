@@ -4,7 +4,8 @@ use std::fs;
 
 use serde_json::Value;
 
-use crate::stage::{ANSWER, HELLO, Stage, code, example, polhode, stderr, stdout};
+use crate::common::program::{code, polhode, stderr, stdout};
+use crate::stage::{ANSWER, HELLO, Stage, example};
 
 fn json(text: &str) -> Value {
     serde_json::from_str(text).expect("JSON")

@@ -2,6 +2,9 @@
 
 #![cfg(unix)]
 
+#[path = "../common/mod.rs"]
+mod common;
+
 mod behaving;
 mod misbehaving;
 mod peers;

@@ -5,7 +5,8 @@ use std::time::{Duration, Instant};
 
 use serde_json::Value;
 
-use crate::stage::{ANSWER, HELLO, Stage, code, polhode, runs, stderr, stdout};
+use crate::common::program::{code, polhode, stderr, stdout};
+use crate::stage::{ANSWER, HELLO, Stage, runs};
 
 /// The reason of a broken run of one step.
 fn why(stage: &Stage, script: &str) -> String {

@@ -5,7 +5,8 @@ use std::fs;
 use polhode::record::{EngineRow, Records};
 use serde_json::Value;
 
-use crate::stage::{HELLO, Stage, code, example, polhode, stderr, stdout};
+use crate::common::program::{code, polhode, stderr, stdout};
+use crate::stage::{HELLO, Stage, example};
 
 const SCENE: &str = "tests/engines/three-moments.toml";
 

@@ -1,10 +1,12 @@
-//! Scripts that play engines, and the program that they are played to.
+//! Scripts that play engines.
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Command;
 use std::sync::OnceLock;
 use std::time::{Duration, Instant};
+
+use crate::common::program::scratch;
 
 /// What a script says to hello where it says the right thing.
 pub const HELLO: &str = r#"read -r line; echo '{"polhode":1,"name":"script","forces":[]}'"#;
@@ -18,7 +20,7 @@ pub struct Stage {
 
 impl Stage {
     pub fn new() -> Stage {
-        Stage { folder: tempfile::tempdir().expect("a folder") }
+        Stage { folder: scratch() }
     }
 
     pub fn path(&self, name: &str) -> PathBuf {
@@ -35,22 +37,6 @@ impl Stage {
         fs::write(&path, format!("here='{}'\n{text}\n", self.folder.path().display())).expect("written");
         format!("engine:sh '{}'", path.display())
     }
-}
-
-pub fn polhode(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_polhode")).args(arguments).output().expect("the program runs")
-}
-
-pub fn code(output: &Output) -> i32 {
-    output.status.code().expect("an exit code")
-}
-
-pub fn stdout(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stdout).into_owned()
-}
-
-pub fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
 /// Whether a process runs, or becomes nothing within a second.

@@ -13,6 +13,8 @@ use polhode::schemes::Card;
 use polhode::schemes::{Claim, Quantity};
 use polhode::simulate::{Break, Outcome};
 
+use crate::common;
+
 /// What a case borrows.
 #[derive(Clone)]
 pub struct Made {
@@ -66,7 +68,7 @@ impl Made {
     /// In a built-in scene, a scheme with these claims and six runs at halved steps, without errors.
     pub fn new(scene: &str, claims: &'static [Claim]) -> Made {
         Made {
-            scene: Scene::find(scene).expect("a built-in scene"),
+            scene: common::scene(scene),
             not_for_order: None,
             card: Card { name: "made-up", title: "Made up", family: "test", source: "none", claims },
             evidence: Evidence {

@@ -1,7 +1,12 @@
-//! Every gate at its bounds: cases whose numbers are made up, so that what must hold at a bound and what beyond it are known.
-//! `claims.rs` asks the same gates about real runs.
+//! The gates: at their bounds, in cases whose numbers are made up; on real runs, of schemes that keep their
+//! claims and of schemes that do not; and as the assertion of a user.
 
+#[path = "../common/mod.rs"]
+mod common;
+
+mod assertion;
 mod case;
+mod claims;
 mod consistency;
 mod counted;
 mod energies;
@@ -10,5 +15,6 @@ mod excuses;
 mod flips;
 mod orders;
 mod sameness;
+mod statistics;
 mod tolerances;
 mod whole;

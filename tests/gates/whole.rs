@@ -7,10 +7,10 @@ use polhode::model::Snapshot;
 use polhode::record::Ruling::{self, Broken, Fail, Inconclusive, NotApplicable, Pass};
 use polhode::record::Verdict;
 use polhode::reference::Reference;
-use polhode::scenes::Scene;
 use polhode::schemes::{Claim, Quantity};
 
 use super::case::{Made, broken, index, numbers};
+use crate::common::scene;
 
 fn verdict(ruling: Ruling, known: bool) -> Verdict {
     let known_deviation = known.then(|| "it is so".to_owned());
@@ -86,7 +86,7 @@ type Change = fn(&mut Snapshot);
 
 /// A body at rest, and then as changed, as a reference that is as uncertain at first.
 fn judged(uncertainty: [f64; 6], change: Change) -> Verdict {
-    let scene = Scene::find("free-asymmetric").expect("built in");
+    let scene = scene("free-asymmetric");
     let zero = Vector3::zeros();
     let rest = Snapshot {
         time: 0.0,
@@ -113,7 +113,7 @@ fn uncertain(quantity: Quantity, value: f64) -> [f64; 6] {
 
 #[test]
 fn a_reference_is_certain_to_a_millionth_of_the_scale_of_every_quantity() {
-    let extent = Scene::find("free-asymmetric").expect("built in").system.body.extent();
+    let extent = scene("free-asymmetric").system.body.extent();
     let large = |state: &mut Snapshot| {
         state.position = Vector3::new(0.0, 100.0, 0.0);
         state.velocity = Vector3::new(-200.0, 0.0, 0.0);

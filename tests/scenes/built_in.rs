@@ -5,8 +5,9 @@
 use std::path::PathBuf;
 
 use nalgebra::Vector3;
-use polhode::scenes::{FILES, Scene, built_in};
+use polhode::scenes::{FILES, built_in};
 
+use crate::common::scene;
 use crate::given::start_of;
 
 #[test]
@@ -36,10 +37,10 @@ fn scenes_that_carry_no_order_give_their_reason() {
         "jsbsim-rotations",
         "bouncing-body",
     ] {
-        let scene = Scene::find(name).expect("built in");
+        let scene = scene(name);
         assert!(scene.not_for_order.is_some_and(|reason| reason.len() > 20), "{name}");
     }
-    assert!(Scene::find("free-asymmetric").expect("built in").not_for_order.is_none());
+    assert!(scene("free-asymmetric").not_for_order.is_none());
 }
 
 #[test]
@@ -77,7 +78,7 @@ const UNEVEN_SPIN: [f64; 3] = [0.27913392496230336108, -0.31745081825607550556, 
 #[test]
 fn the_starts_are_those_of_the_stored_reference_solutions() {
     for (name, spin, energy) in STARTS {
-        let scene = Scene::find(name).expect("built in");
+        let scene = scene(name);
         let start = start_of(&scene);
         // A matrix inverse of condition below 10, and sums of fewer than 20 products: some 30 u.
         assert!((start.angular_velocity - Vector3::from(*spin)).amax() < 4e-15 * (1.0 + spin[2]), "{name}");
@@ -90,15 +91,15 @@ fn the_starts_are_those_of_the_stored_reference_solutions() {
         );
     }
     // The two without an energy: a torque and a field that depend on time.
-    let field = start_of(&Scene::find("time-dependent-field").expect("built in"));
+    let field = start_of(&scene("time-dependent-field"));
     assert!((field.angular_velocity - Vector3::from(UNEVEN_SPIN)).amax() < 4e-15);
-    let sciml = start_of(&Scene::find("sciml-rigidbody-wpd").expect("built in"));
+    let sciml = start_of(&scene("sciml-rigidbody-wpd"));
     assert!((sciml.angular_velocity - Vector3::new(1.0, 0.0, 0.9)).amax() < 4e-16);
 }
 
 #[test]
 fn the_heavy_asymmetric_top_has_exactly_its_moments_about_the_pivot() {
-    let system = Scene::find("heavy-asymmetric-top").expect("built in").system;
+    let system = scene("heavy-asymmetric-top").system;
     assert_eq!(system.body.inertia, nalgebra::Matrix3::from_diagonal(&Vector3::new(2.0, 2.5, 1.25)));
     assert_eq!(system.body.center * system.body.mass, Vector3::new(0.25, 0.0, 1.0));
     assert_eq!(system.origin(), Vector3::zeros());
@@ -107,7 +108,7 @@ fn the_heavy_asymmetric_top_has_exactly_its_moments_about_the_pivot() {
 
 #[test]
 fn the_sleeping_top_is_above_its_threshold_and_stands_on_the_origin() {
-    let system = Scene::find("sleeping-top").expect("built in").system;
+    let system = scene("sleeping-top").system;
     let moments = system.body.moments;
     let spin = system.start.angular_momentum.norm() / moments.z;
     let threshold = (4.0 * 0.1 * 9.81 * 0.03 * moments.x).sqrt() / moments.z;
@@ -118,7 +119,7 @@ fn the_sleeping_top_is_above_its_threshold_and_stands_on_the_origin() {
 
 #[test]
 fn the_charged_body_is_generic() {
-    let system = Scene::find("charged-body-in-fields").expect("built in").system;
+    let system = scene("charged-body-in-fields").system;
     let (inertia, moments) = (system.body.inertia, system.body.moments);
     assert!([(0, 1), (0, 2), (1, 2)].iter().all(|entry| inertia[*entry].abs() > 0.1), "{inertia}");
     assert!((moments.x - moments.y).abs() > 0.5 && (moments.y - moments.z).abs() > 0.5, "{moments}");

@@ -6,6 +6,8 @@ use polhode::model::difference;
 use polhode::model::forces::{Attachment, Law, PerPoint, TorqueAxes};
 use polhode::scenes::{Scene, SceneError};
 
+use crate::common::program::scratch;
+use crate::common::scene;
 use crate::given::{EVERY_LAW, HEAD, INERTIA, POINTS, ROD, SINGLE, parse, start_of};
 
 #[test]
@@ -116,12 +118,12 @@ fn a_rod_may_spin_across_itself_and_a_point_may_rest() {
 
 #[test]
 fn names_and_paths_are_told_apart() {
-    assert!(Scene::find("kovalevskaya").expect("built in").built_in);
+    assert!(scene("kovalevskaya").built_in);
     let Err(SceneError::Unknown { name, near }) = Scene::find("kovalevskya") else { panic!("found") };
     assert_eq!((name.as_str(), near), ("kovalevskya", vec!["kovalevskaya"]));
     assert!(matches!(Scene::find("no/such/file"), Err(SceneError::Unreadable { .. })));
     assert!(matches!(Scene::find("nowhere.toml"), Err(SceneError::Unreadable { .. })));
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = scratch();
     let path = folder.path().join("mine.toml");
     std::fs::write(&path, format!("{HEAD}{INERTIA}")).expect("written");
     let scene = Scene::find(&path.to_string_lossy()).expect("a scene");

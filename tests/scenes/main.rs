@@ -1,8 +1,12 @@
 //! The scene format as a user meets it: what is read, and how what is wrong is told.
 
+#[path = "../common/mod.rs"]
+mod common;
+
 mod built_in;
 mod format;
 mod fuzz;
 mod given;
 mod refused_bodies;
 mod refused_forces;
+mod user_scenes;

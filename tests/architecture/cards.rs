@@ -1,0 +1,55 @@
+//! What a card tells of its claims, and a workspace of its content.
+
+use nalgebra::Vector3;
+use polhode::model::{AnyModel, Free, Model};
+use polhode::schemes::{Card, Euler, PeskinRk2, Scheme, SideBySide, Workspace};
+use polhode::schemes::{Claim, Quantity, When};
+
+use crate::common::scene;
+
+fn card(claims: &'static [Claim]) -> Card {
+    Card { name: "made-up", title: "Made up", family: "test", source: "none", claims }
+}
+
+#[test]
+fn a_card_tells_the_numbers_of_its_claims_and_0_where_there_are_none() {
+    let told = |claims| {
+        let card = card(claims);
+        [card.order(), card.order_without_torque(), card.tolerance_exponent(), card.evaluations()]
+    };
+    const EXACT: Claim = Claim::Exact(Quantity::Position, When::NoForce);
+    assert_eq!(told(&[EXACT]), [0, 0, 0, 0]);
+    assert_eq!(told(&[EXACT, Claim::Order(3)]), [3, 3, 0, 0]);
+    assert_eq!(told(&[Claim::Order(2), Claim::OrderWithoutTorque(4), Claim::Evaluations(5)]), [2, 4, 0, 5]);
+    assert_eq!(told(&[Claim::FollowsTolerance(6), Claim::Evaluations(7)]), [0, 0, 6, 7]);
+}
+
+#[test]
+fn the_name_of_a_substepped_scheme_tells_its_parts_and_its_base() {
+    assert_eq!(Card::parts("substepped-4-peskin-rk2"), Some((4, "peskin-rk2")));
+    for other in ["peskin-rk2", "substepped-", "substepped-4", "substepped-few-euler"] {
+        assert_eq!(Card::parts(other), None, "{other}");
+    }
+}
+
+#[test]
+fn a_scheme_evaluates_the_rates_as_often_side_by_side_as_alone() {
+    for (form, evaluations) in [
+        (Euler::SIDE_BY_SIDE, Euler::CARD.evaluations()),
+        (PeskinRk2::SIDE_BY_SIDE, PeskinRk2::CARD.evaluations()),
+    ] {
+        assert_eq!(form.map(SideBySide::evaluations), Some(u64::from(evaluations)));
+    }
+}
+
+#[test]
+fn a_workspace_takes_states_and_history_of_another() {
+    let AnyModel::Free(model) = scene("free-asymmetric").system.least() else { panic!("a free body") };
+    let start = model.start();
+    let mut one = Workspace::<Free>::new(&start, 2);
+    let mut other = Workspace::<Free>::new(&start, 2);
+    other.states[1] = start.inverse();
+    other.history.push(Vector3::x());
+    one.copy_from(&other);
+    assert_eq!((one.states, one.history), (vec![start, start.inverse()], vec![Vector3::x()]));
+}

@@ -1,0 +1,108 @@
+//! Every file of Rust is built and seen by `cargo fmt`, and every scheme stands in the list.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use crate::sources::{self, File};
+
+/// Files of `src/schemes` that are no scheme: what schemes share, cards, and solvers that choose their steps.
+const NO_SCHEME: [&str; 15] = [
+    "accelerations",
+    "adams_bashforth",
+    "adaptive",
+    "card",
+    "cayley",
+    "collocation",
+    "composed",
+    "iteration",
+    "multipliers",
+    "preprocessing",
+    "semi_implicit",
+    "splitting",
+    "substepped",
+    "vector_form",
+    "mod",
+];
+
+/// A path without `..` in it.
+fn plain(path: &Path) -> PathBuf {
+    let mut plain = PathBuf::new();
+    for part in path.components() {
+        if part.as_os_str() == ".." {
+            plain.pop();
+        } else {
+            plain.push(part);
+        }
+    }
+    plain
+}
+
+/// A file and all those that its `mod` lines lead to. A macro that writes such lines hides the files from
+/// `cargo fmt`.
+fn follow(path: &Path, is_root: bool, met: &mut BTreeSet<PathBuf>) {
+    met.insert(path.to_owned());
+    let folder = path.parent().expect("a folder");
+    let inside =
+        if is_root || path.ends_with("mod.rs") { folder.to_owned() } else { path.with_extension("") };
+    for module in File::read(&sources::root().join(path)).declared() {
+        let places = match module.path {
+            Some(given) => vec![plain(&folder.join(given))],
+            None => {
+                vec![inside.join(format!("{}.rs", module.name)), inside.join(&module.name).join("mod.rs")]
+            }
+        };
+        let place = places.iter().find(|place| sources::root().join(place).exists());
+        follow(place.expect("a file for every module"), false, met);
+    }
+}
+
+#[test]
+fn every_file_is_reached_by_plain_mod_lines() {
+    let mut met = BTreeSet::new();
+    for root in ["src/lib.rs", "src/main.rs"] {
+        follow(Path::new(root), true, &mut met);
+    }
+    let all = || ["src", "tests", "benches", "examples"].into_iter().flat_map(sources::of);
+    for file in all().filter(|file| !file.path.starts_with("src")) {
+        let depth = file.path.components().count();
+        if depth == 2 || (depth == 3 && file.path.ends_with("main.rs")) {
+            follow(&file.path, true, &mut met);
+        }
+    }
+    let lost: Vec<PathBuf> = all().map(|file| file.path).filter(|path| !met.contains(path)).collect();
+    assert!(lost.is_empty(), "no plain mod line leads to {lost:?}");
+    assert!(met.len() > 200);
+}
+
+/// The module and the type of every entry of the list.
+fn listed(text: &str) -> Vec<(String, String)> {
+    let (_, list) = text.split_once("\nlist! {\n").expect("the list");
+    let (list, _) = list.split_once("\n}").expect("its end");
+    let entries = list.lines().filter_map(|line| line.trim().trim_end_matches([',', ';']).split_once("::"));
+    entries.map(|(module, scheme)| (module.to_owned(), scheme.to_owned())).collect()
+}
+
+/// `StrangRotations` of `strang_rotations`.
+fn type_of(module: &str) -> String {
+    let capital = |part: &str| part[..1].to_uppercase() + &part[1..];
+    module.split('_').map(capital).collect()
+}
+
+#[test]
+fn every_scheme_file_stands_in_the_list() {
+    let files = sources::of("src/schemes");
+    let module = files.iter().find(|file| file.path.ends_with("mod.rs")).expect("mod.rs");
+    let list = listed(&module.text);
+    let names: BTreeSet<String> = files
+        .iter()
+        .map(|file| file.path.file_stem().expect("a name").to_string_lossy().into_owned())
+        .collect();
+    let mut expected: BTreeSet<String> = NO_SCHEME.iter().map(|name| (*name).to_owned()).collect();
+    for (module, scheme) in &list {
+        assert_eq!(*scheme, type_of(module));
+        assert!(expected.insert(module.clone()), "{module} stands twice, or is no scheme");
+    }
+    let odd: Vec<&String> = names.symmetric_difference(&expected).collect();
+    assert!(odd.is_empty(), "only in src/schemes, or only in its list: {odd:?}");
+    assert!(list.len() >= 52);
+}

@@ -1,0 +1,170 @@
+//! A claim that a scheme does not keep turns its gate red, and one that it keeps stays green.
+
+use nalgebra::Vector3;
+use polhode::campaign::Campaign;
+use polhode::gates::Baseline;
+use polhode::model::{Broken, Model, Rates};
+use polhode::record::{Ruling, Verdict};
+use polhode::schemes::{Card, Scheme, Workspace};
+use polhode::schemes::{Claim, EnergyOfFreeBody};
+use polhode::simulate::Contestant;
+
+use crate::common::{contestant, scene};
+
+fn verdicts(contestant: Contestant, scene_name: &str, claim: &str) -> Vec<Verdict> {
+    let scenes = vec![scene(scene_name)];
+    let campaign = Campaign { baseline: Baseline::default(), ..Campaign::of(scenes, vec![contestant]) };
+    campaign.run().verdicts.into_iter().filter(|verdict| verdict.claim == claim).collect()
+}
+
+/// A scheme of the list with one claim in place of its own.
+fn claiming(name: &str, claims: &'static [Claim]) -> Contestant {
+    let mut contestant = contestant(name);
+    contestant.card = Card { name: "claimant", claims, ..contestant.card };
+    contestant
+}
+
+fn ruling(contestant: Contestant, scene: &str, claim: &str) -> Ruling {
+    let verdicts = verdicts(contestant, scene, claim);
+    verdicts.iter().for_each(|v| println!("{} {} {:?} {}", v.scene, v.quantity, v.verdict, v.detail));
+    let failed = verdicts.iter().any(|v| v.verdict == Ruling::Fail);
+    if failed { Ruling::Fail } else { verdicts.first().expect("a verdict").verdict }
+}
+
+#[test]
+fn a_scheme_that_is_not_symmetric_does_not_return_to_its_start() {
+    for scene in ["tether-springs", "heavy-asymmetric-top", "free-asymmetric", "dipole-in-field"] {
+        for (scheme, expected) in [
+            ("peskin-rk2", Ruling::Fail),
+            ("euler", Ruling::Fail),
+            ("rk4-quaternion", Ruling::Fail),
+            ("peskin-rk4", Ruling::Fail),
+            ("strang-rotations", Ruling::Pass),
+            ("implicit-midpoint", Ruling::Pass),
+            ("krysl-liemid", Ruling::Pass),
+        ] {
+            let claimant = claiming(scheme, &[Claim::Order(2), Claim::Reversible]);
+            assert_eq!(ruling(claimant, scene, "reversible"), expected, "{scheme} in {scene}");
+        }
+    }
+}
+
+#[test]
+fn a_scheme_that_is_not_symplectic_changes_the_two_form() {
+    const SECOND: &[Claim] = &[Claim::Order(2), Claim::Symplectic];
+    const FOURTH: &[Claim] = &[Claim::Order(4), Claim::Symplectic];
+    for scene in ["tether-springs", "heavy-asymmetric-top", "free-asymmetric"] {
+        for (scheme, claims, expected) in [
+            ("peskin-rk2", SECOND, Ruling::Fail),
+            ("implicit-midpoint", SECOND, Ruling::Fail),
+            ("gauss-legendre-4", FOURTH, Ruling::Fail),
+            ("rk4-quaternion", FOURTH, Ruling::Fail),
+            ("moser-veselov", SECOND, Ruling::Pass),
+            ("exact-rotor", SECOND, Ruling::Pass),
+            ("no-squish", SECOND, Ruling::Pass),
+            ("yoshida-4", FOURTH, Ruling::Pass),
+        ] {
+            assert_eq!(
+                ruling(claiming(scheme, claims), scene, "symplectic"),
+                expected,
+                "{scheme} in {scene}"
+            );
+        }
+    }
+}
+
+#[test]
+fn energies_are_told_apart_by_their_kind() {
+    const GROWS: Claim = Claim::Energy(EnergyOfFreeBody::GrowsSecularly { rate_order: 3 });
+    const THIRD: Claim = Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 });
+    const SECOND: Claim = Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 2 });
+    const BOUNDED: Claim = Claim::Energy(EnergyOfFreeBody::Bounded);
+    const CONSTANT: Claim = Claim::Energy(EnergyOfFreeBody::Constant);
+    const FALLS: Claim = Claim::Energy(EnergyOfFreeBody::Falls);
+    let cases: [(&str, &'static [Claim], Ruling); 11] = [
+        ("peskin-rk2", &[GROWS], Ruling::Pass),
+        ("peskin-rk2", &[THIRD], Ruling::Pass),
+        ("peskin-rk2", &[SECOND], Ruling::Fail),
+        ("peskin-rk2", &[BOUNDED], Ruling::Fail),
+        ("peskin-rk2", &[CONSTANT], Ruling::Fail),
+        ("peskin-rk2", &[FALLS], Ruling::Fail),
+        ("strang-rotations", &[BOUNDED], Ruling::Pass),
+        ("strang-rotations", &[CONSTANT], Ruling::Fail),
+        ("exact-rotor", &[CONSTANT], Ruling::Pass),
+        ("semi-implicit-euler-implicit-gyro", &[FALLS], Ruling::Pass),
+        ("euler", &[FALLS], Ruling::Fail),
+    ];
+    for (scheme, claims, expected) in cases {
+        let found = ruling(claiming(scheme, claims), "free-asymmetric", "energy");
+        assert_eq!(found, expected, "{scheme}: {:?}", claims[0]);
+    }
+}
+
+#[test]
+fn implicit_equations_are_counted() {
+    for (scheme, claims, expected) in [
+        ("implicit-midpoint", &[Claim::Solves(1)], Ruling::Pass),
+        ("implicit-midpoint", &[Claim::Solves(2)], Ruling::Fail),
+        ("krysl-liemid-ea", &[Claim::Solves(2)], Ruling::Pass),
+        ("peskin-rk2", &[Claim::Solves(1)], Ruling::Fail),
+    ] as [(&str, &'static [Claim], Ruling); 4]
+    {
+        let found = ruling(claiming(scheme, claims), "kovalevskaya", "solves");
+        assert_eq!(found, expected, "{scheme}: {:?}", claims[0]);
+    }
+}
+
+/// Euler's method with a flaw that only another world shows.
+struct Flawed<const FLAW: u8>;
+
+/// The spin is nothing below a fixed rate.
+const THRESHOLD: u8 = 0;
+/// The first axis of the world is preferred.
+const AXIS: u8 = 1;
+/// Nothing is wrong.
+const NONE: u8 = 2;
+
+impl<const FLAW: u8> Scheme for Flawed<FLAW> {
+    const CARD: Card = Card {
+        name: "flawed",
+        title: "Euler's method with a flaw",
+        family: "test",
+        source: "none",
+        claims: &[Claim::Order(1), Claim::Equivariant],
+    };
+    const STATES: usize = 0;
+
+    fn step<M: Model>(
+        model: &M,
+        t: f64,
+        h: f64,
+        from: &M::State,
+        to: &mut M::State,
+        _work: &mut Workspace<M>,
+    ) -> Result<(), Broken> {
+        let mut motion = model.rates(t, from)?.motion();
+        match FLAW {
+            THRESHOLD if motion.spin.norm() < 1e-6 => motion.spin = Vector3::zeros(),
+            AXIS => motion.spin.x *= 1.0 + h,
+            _ => {}
+        }
+        model.advance(from, h, &M::Rates::of(motion), to);
+        Ok(())
+    }
+}
+
+#[test]
+fn a_rule_that_prefers_an_axis_or_a_unit_is_found_in_another_world() {
+    let failed = |contestant: Contestant| -> Vec<String> {
+        verdicts(contestant, "kovalevskaya", "equivariant")
+            .into_iter()
+            .inspect(|v| println!("{} {:?} {}", v.quantity, v.verdict, v.detail))
+            .filter(|v| v.verdict != Ruling::Pass)
+            .map(|v| v.quantity)
+            .collect()
+    };
+    assert_eq!(failed(Contestant::new::<Flawed<THRESHOLD>>()), ["time-1e10"]);
+    let axis = failed(Contestant::new::<Flawed<AXIS>>());
+    assert!(axis.contains(&"turned".to_owned()) && axis.contains(&"binary-units".to_owned()), "{axis:?}");
+    assert_eq!(failed(Contestant::new::<Flawed<NONE>>()), [""; 0]);
+}

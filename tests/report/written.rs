@@ -1,0 +1,222 @@
+//! The report, made from records that no campaign wrote: what it must hold whatever was measured.
+#![allow(clippy::unwrap_used, reason = "a test that cannot read its own files has failed")]
+
+use std::fs;
+use std::path::Path;
+use std::sync::Arc;
+
+use super::synthetic::few;
+use crate::common::plots;
+use polhode::internals::report;
+use polhode::record::{
+    CostRow, Drift, Measurement, Order, Records, SCHEMA, ScalingRow, SchemeRow, Series, Verdict,
+};
+
+/// Writes the report into a fresh folder.
+fn written(records: &Records) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    report::write(records, folder.path(), &|_, _| ()).unwrap();
+    folder
+}
+
+#[test]
+fn two_reports_of_the_same_records_are_the_same_to_the_byte() {
+    let records = few(&[1, 3, 4]);
+    let (first, second) = (written(&records), written(&records));
+    for path in plots(first.path()) {
+        let twin = second.path().join("plots").join(path.file_name().unwrap());
+        assert!(fs::read(&path).unwrap() == fs::read(twin).unwrap(), "{}", path.display());
+    }
+    for name in ["index.html", "report.md", "records.json", "records.csv"] {
+        assert!(
+            fs::read(first.path().join(name)).unwrap() == fs::read(second.path().join(name)).unwrap(),
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn the_page_needs_nothing_but_itself_and_escapes_what_it_prints() {
+    let folder = written(&few(&[4, 9]));
+    let page = fs::read_to_string(folder.path().join("index.html")).unwrap();
+    for foreign in ["src=", "url(", "@import", "<link", "<script", "href=\"http"] {
+        assert!(!page.contains(foreign), "{foreign}");
+    }
+    // 2 overview pictures and 4 a scene.
+    assert_eq!(page.matches("<svg ").count(), 10);
+    assert!(!page.contains("<turned>"));
+    assert!(page.contains("&lt;turned&gt;"));
+    for word in ["not finite at step 12", "known since 2021", "outside 1 ± 0.15", "2.31", "4.4×10⁻¹⁴"]
+    {
+        assert!(page.contains(word), "{word}");
+    }
+    assert!(!page.contains("interrupted"));
+}
+
+#[test]
+fn markdown_tables_keep_their_columns_whatever_the_text_holds() {
+    let folder = written(&few(&[5, 9]));
+    let text = fs::read_to_string(folder.path().join("report.md")).unwrap();
+    let mut columns = None;
+    for line in text.lines() {
+        let bars = line.replace("\\|", "").matches('|').count();
+        if line.starts_with('|') {
+            assert_eq!(*columns.get_or_insert(bars), bars, "{line}");
+        } else {
+            columns = None;
+        }
+    }
+    assert!(text.contains("](plots/overview.png)") && text.contains("](plots/scene-09-convergence.png)"));
+    assert!(text.contains("the motion is chaotic"));
+}
+
+#[test]
+fn records_with_nothing_in_them_make_a_report() {
+    let records = Records { schema: SCHEMA.into(), ..Records::default() };
+    let folder = written(&records);
+    let page = fs::read_to_string(folder.path().join("index.html")).unwrap();
+    assert!(page.contains("The run was interrupted"));
+    assert!(fs::read_to_string(folder.path().join("report.md")).unwrap().contains("The run was interrupted"));
+    assert!(report::junit(&records).contains("<testsuites"));
+    assert_eq!(report::annotations(&records), "");
+    assert!(report::verdict_table(&records, true).contains("0 verdicts: no verdicts · interrupted"));
+}
+
+#[test]
+fn rows_that_name_no_known_scene_or_hold_no_number_make_a_report() {
+    let empty = Series { scene: "../odd".into(), quantity: "total-energy".into(), ..Series::default() };
+    let broken = Measurement {
+        scene: "../odd".into(),
+        scheme: "x".into(),
+        metric: "position-end".into(),
+        status: "broken".into(),
+        step_s: 0.1,
+        ..Measurement::default()
+    };
+    let not_a_number = Measurement { value: Some(f64::NAN), status: "ok".into(), ..broken.clone() };
+    let records = Records {
+        schema: SCHEMA.into(),
+        measurements: [broken, not_a_number, Measurement::default()].map(Arc::new).into(),
+        orders: vec![Order {
+            status: "fitted".into(),
+            quantity: "orientation-end".into(),
+            ..Order::default()
+        }],
+        drifts: vec![Drift::default()],
+        verdicts: vec![Verdict::default()],
+        series: [empty, Series::default()].map(Arc::new).into(),
+        ..Records::default()
+    };
+    let folder = written(&records);
+    assert!(folder.path().join("plots/-odd-convergence.png").exists());
+    report::junit(&records);
+    report::verdict_table(&records, true);
+}
+
+#[test]
+fn pictures_that_an_earlier_report_left_are_removed() {
+    let folder = written(&few(&[1, 2]));
+    report::write(&few(&[2]), folder.path(), &|_, _| ()).unwrap();
+    let names: Vec<String> = plots(folder.path())
+        .iter()
+        .map(|path| path.file_name().unwrap().to_string_lossy().into_owned())
+        .collect();
+    assert_eq!(
+        names,
+        [
+            "drift-rates.png",
+            "overview.png",
+            "scene-02-convergence.png",
+            "scene-02-invariants.png",
+            "scene-02-work-precision-motion.png",
+            "scene-02-work-precision-rotation.png"
+        ]
+    );
+}
+
+/// Whether a picture of this name was drawn.
+fn is_drawn(folder: &Path, name: &str) -> bool {
+    folder.join("plots").join(name).exists()
+}
+
+#[test]
+fn costs_stand_in_a_table_with_their_noise_and_gaps_are_said() {
+    let cost = |scheme: &str, kind: &str, nanoseconds, again| CostRow {
+        scheme: scheme.into(),
+        kind: kind.into(),
+        model: kind.into(),
+        scene: format!("{kind} {nanoseconds}"),
+        nanoseconds_per_step: nanoseconds,
+        evaluations_per_step: 2.0,
+        seconds: 0.25,
+        again,
+        ..CostRow::default()
+    };
+    let mut records = few(&[1, 2]);
+    records.costs = vec![
+        cost("peskin-rk2", "free", 50.0, false),
+        cost("peskin-rk2", "forced", 100.0, false),
+        cost("peskin-rk2", "forced", 180.0, false),
+        cost("euler", "free", 30.0, false),
+        CostRow { scene: "free 50".into(), ..cost("peskin-rk2", "free", 51.0, true) },
+    ];
+    let folder = written(&records);
+    let text = fs::read_to_string(folder.path().join("report.md")).unwrap();
+    assert!(text.contains("| peskin-rk2 | 50.0 (2) | 100 to 180 (2) |"), "{text}");
+    assert!(text.contains("| euler | 30.0 (2) | – |"));
+    assert!(text.contains("timed twice: the two differ by 2.0 %") && text.contains("at least 0.25 s"));
+    let without = written(&few(&[1]));
+    assert!(!fs::read_to_string(without.path().join("report.md")).unwrap().contains("## Cost"));
+}
+
+#[test]
+fn the_overview_of_cost_needs_two_families_and_scaling_its_rows() {
+    let mut records = few(&[1, 2]);
+    let pictures = ["cheapest-by-time.png", "cheapest-by-evaluations.png", "scaling.png"];
+    let folder = written(&records);
+    assert!(pictures.iter().all(|name| !is_drawn(folder.path(), name)));
+    records.schemes[1].family = "another".into();
+    let row = |size, value| ScalingRow {
+        what: "points".into(),
+        scheme: "peskin-rk2".into(),
+        form: "points, free".into(),
+        size,
+        value,
+        ..ScalingRow::default()
+    };
+    records.scaling = vec![row(1, 50.0), row(1000, 5e4)];
+    let folder = written(&records);
+    assert!(pictures.iter().all(|name| is_drawn(folder.path(), name)));
+    let page = fs::read_to_string(folder.path().join("index.html")).unwrap();
+    assert!(page.contains("error below [rad]") && page.contains("mass points K"));
+}
+
+#[test]
+fn schemes_that_stand_apart_have_pictures_that_the_page_names_and_does_not_hold() {
+    let mut records = few(&[1]);
+    let apart = SchemeRow { name: "apart".into(), apart: true, ..records.schemes[0].clone() };
+    records.schemes.push(apart);
+    let more: Vec<Measurement> = records
+        .measurements
+        .iter()
+        .filter(|row| row.scheme == "euler")
+        .map(|row| Measurement { scheme: "apart".into(), ..(**row).clone() })
+        .collect();
+    let main = written(&few(&[1]));
+    records.measurements.extend(more.into_iter().map(Arc::new));
+    let folder = written(&records);
+    let name = "scene-01-work-precision-of-all-rotation.png";
+    assert!(is_drawn(folder.path(), name) && !is_drawn(main.path(), name));
+    let page = fs::read_to_string(folder.path().join("index.html")).unwrap();
+    assert!(page.contains(&format!("href=\"plots/{name}\"")) && !page.contains("every scheme, by family"));
+}
+
+#[test]
+fn a_folder_that_cannot_be_made_is_an_error_with_its_name() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("file");
+    fs::write(&file, "").unwrap();
+    let error = report::write(&few(&[1]), &file.join("out"), &|_, _| ()).unwrap_err();
+    assert!(matches!(error, report::ReportError::File(_)), "{error}");
+    assert!(error.to_string().contains("file"), "{error}");
+}

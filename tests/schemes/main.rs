@@ -1,0 +1,17 @@
+//! The schemes: their steps against independent computations, their orders, errors and energies against known
+//! ones, what they solve and allocate.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod allocations;
+mod classical;
+mod constrained;
+mod forms_agree;
+mod geometric;
+mod golden_steps;
+mod measured_elsewhere;
+mod one_step;
+mod orders_under_torque;
+mod solves;
+mod variants;

@@ -1,0 +1,100 @@
+//! How fast implicit equations are solved: a wrong derivative gives the same steps, only later.
+
+use polhode::campaign::Campaign;
+use polhode::model::{Broken, Model};
+use polhode::record::Ruling;
+use polhode::schemes::Claim;
+use polhode::schemes::{Card, Scheme, Workspace};
+use polhode::simulate::{Contestant, Form, Plan};
+
+use crate::common::scene;
+
+/// Iterations of one equation, in the mean over 16 steps; `None` of a scheme that solves none.
+fn iterations(contestant: &Contestant, scene_name: &str, step: f64) -> Option<f64> {
+    let scene = scene(scene_name);
+    let run = contestant.run(&scene.system, Form::Least, &Plan { step, steps: 16, every: 16 });
+    assert_eq!(run.outcome.broken, None, "{}", contestant.card.name);
+    (run.outcome.solves > 0).then(|| run.outcome.iterations as f64 / run.outcome.solves as f64)
+}
+
+#[test]
+fn newtons_method_squares_its_error_and_repetition_gains_a_digit() {
+    let mut solving = 0;
+    for contestant in Contestant::all() {
+        let Some(found) = iterations(&contestant, "heavy-asymmetric-top", 1.0 / 32.0) else { continue };
+        let name = contestant.card.name;
+        println!("{name}: {found:.2}");
+        solving += 1;
+        // A step of a tenth of a radian: 0.1 squared three times is 1e-8, and what Newton's method makes of that is rounding.
+        // Repetition gains one to two digits. Measured: 3, and 6.1 to 10.
+        let most = if name == "lie-verlet" { 3.0 } else { 10.0 };
+        assert!(found > 1.0 && found <= most, "{name}: {found}");
+    }
+    assert!(solving >= 9, "{solving}");
+}
+
+#[test]
+fn equations_are_solved_as_fast_in_any_unit_of_time() {
+    // Two bodies that turn by 1e8 and 1e-8 rad/s, at steps of a tenth of a radian.
+    for contestant in Contestant::all() {
+        let [fast, slow] = [("spin-1e8", 1e-9), ("spin-1e-8", 1e7)]
+            .map(|(scene, step)| iterations(&contestant, scene, step));
+        // The unit is no power of two: rounding may put an end one iteration sooner or later, in a step of the sixteen.
+        let apart = fast.zip(slow).map_or(0.0, |(fast, slow)| (fast - slow).abs());
+        assert!(
+            fast.is_some() == slow.is_some() && apart <= 0.25,
+            "{}: {fast:?} {slow:?}",
+            contestant.card.name
+        );
+    }
+}
+
+/// Euler's rule that finds no solution: of a step larger than so many parts of 1e-9 s.
+struct Unsolved<const UP_TO: u32>;
+
+impl<const UP_TO: u32> Scheme for Unsolved<UP_TO> {
+    const CARD: Card = Card {
+        name: "unsolved",
+        title: "finds no solution",
+        family: "test",
+        source: "none",
+        claims: &[Claim::Order(1), Claim::Evaluations(1)],
+    };
+    const STATES: usize = 0;
+
+    fn step<M: Model>(
+        model: &M,
+        t: f64,
+        h: f64,
+        from: &M::State,
+        to: &mut M::State,
+        _work: &mut Workspace<M>,
+    ) -> Result<(), Broken> {
+        if h > f64::from(UP_TO) * 1e-9 {
+            return Err(Broken::NoConvergence { iterations: 100, residual: 1.0, tolerance: 1e-12 });
+        }
+        model.advance(from, h, &model.rates(t, from)?, to);
+        Ok(())
+    }
+}
+
+#[test]
+fn a_run_that_breaks_at_every_step_of_the_ladder_is_undecided_only_where_a_smaller_step_gets_past() {
+    let rulings = |contestant: Contestant| {
+        let scene = scene("free-asymmetric");
+        let verdicts = Campaign::of(vec![scene], vec![contestant]).run().verdicts;
+        let own = verdicts.into_iter().filter(|v| v.scheme == "unsolved" && v.claim == "order");
+        own.map(|verdict| (verdict.verdict, verdict.detail)).collect::<Vec<_>>()
+    };
+    let never = rulings(Contestant::new::<Unsolved<0>>());
+    assert!(!never.is_empty() && never.iter().all(|(ruling, _)| *ruling == Ruling::Broken), "{never:?}");
+    // The ladder ends at a million steps, of 1e-5 s and more.
+    let late = rulings(Contestant::new::<Unsolved<1000>>());
+    assert!(late.len() == never.len(), "{late:?}");
+    for (ruling, detail) in late {
+        assert!(
+            ruling == Ruling::Inconclusive && detail.contains("it goes on there in steps of"),
+            "{detail}"
+        );
+    }
+}

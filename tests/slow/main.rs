@@ -1,0 +1,22 @@
+//! What takes longer than ten seconds in an optimised build, by itself or with what belongs to it: planted
+//! defects, random scenes, closed forms after a million radians, the studies of stability, a report of thirty
+//! scenes. `cargo test --release` runs it like the others; `cargo test --release --test slow` runs it alone.
+
+#[path = "../common/mod.rs"]
+mod common;
+/// What is known of a system, as the other tests of closed forms take it.
+#[allow(dead_code, reason = "the other tests use the rest")]
+#[path = "../references/closed_forms/known.rs"]
+mod known;
+/// The records that the other tests of reports take a part of.
+#[allow(dead_code, reason = "the other tests use the rest")]
+#[path = "../report/synthetic.rs"]
+mod synthetic;
+
+mod million_radians;
+mod planted_defects;
+mod random_scenes;
+mod recurrence;
+mod stability;
+mod turning_tops;
+mod whole_report;

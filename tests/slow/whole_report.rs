@@ -1,0 +1,55 @@
+//! A whole report of thirty scenes, made from records that no campaign wrote.
+#![allow(clippy::unwrap_used, reason = "a test that cannot read its own files has failed")]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use polhode::internals::report;
+use polhode::record::Records;
+
+use super::synthetic::{SCENES, synthetic};
+use crate::common::plots;
+
+/// Width and height from the header of a PNG.
+fn png_size(path: &Path) -> (u32, u32) {
+    let bytes = fs::read(path).unwrap();
+    assert_eq!(&bytes[..8], b"\x89PNG\r\n\x1a\n", "{}", path.display());
+    assert_eq!(&bytes[bytes.len() - 8..bytes.len() - 4], b"IEND", "{}", path.display());
+    let number = |at: usize| u32::from_be_bytes(bytes[at..at + 4].try_into().unwrap());
+    (number(16), number(20))
+}
+
+#[test]
+fn a_whole_report_has_every_file_and_every_picture_is_large() {
+    let records = synthetic();
+    // A folder that stays, for those who want to look at the pictures.
+    let folder = match std::env::var_os("POLHODE_REPORT_OUT") {
+        Some(path) => PathBuf::from(path),
+        None => tempfile::tempdir().unwrap().keep(),
+    };
+    let calls = AtomicUsize::new(0);
+    let count = |_, _| {
+        calls.fetch_add(1, Ordering::Relaxed);
+    };
+    report::write(&records, &folder, &count).unwrap();
+    for name in ["records.json", "records.csv", "report.md", "index.html"] {
+        assert!(fs::metadata(folder.join(name)).unwrap().len() > 1000, "{name}");
+    }
+    let read = Records::read(&folder.join("records.json")).unwrap();
+    assert_eq!(read.measurements.len(), records.measurements.len());
+    assert!(read.verdicts.iter().map(|row| &row.detail).eq(records.verdicts.iter().map(|row| &row.detail)));
+    let plots = plots(&folder);
+    // Convergence, invariants and two of work and precision a scene, and two of all of them. Scene 12 is exact in everything and
+    // has no errors to hold against work.
+    assert_eq!(plots.len(), 4 * SCENES + 2 - 2);
+    // Asked for beside those: every scheme's two pictures a scene, two of what is cheapest, and one of scaling.
+    assert_eq!(calls.load(Ordering::Relaxed), 6 * SCENES + 5);
+    for path in plots {
+        let (width, height) = png_size(&path);
+        assert!(width >= 1600 && height >= 1000, "{}: {width} × {height}", path.display());
+    }
+    if std::env::var_os("POLHODE_REPORT_OUT").is_none() {
+        fs::remove_dir_all(folder).unwrap();
+    }
+}
