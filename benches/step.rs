@@ -1,22 +1,25 @@
 //! Wall-clock cost of a step: every scheme on every model, and Peskin's scheme on 4 to 16,384 mass points.
-//! `cargo bench --bench step -- rk4` measures the rows whose name holds a word.
 //!
 //! A bench is not a test: nothing depends on these numbers.
 
-mod common;
-
-use std::time::Duration;
-
-use common::{Row, contestant, measure, steps};
+use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use nalgebra::Vector3;
 use polhode::internals::rotation::Rotation;
 use polhode::model::body::{Body, MassPoint};
 use polhode::model::{Spin, System};
 use polhode::scenes::Scene;
-use polhode::simulate::{Contestant, Form};
+use polhode::simulate::{Contestant, Form, Plan};
 
-/// How long every row is measured.
-const FOR: Duration = Duration::from_millis(100);
+/// Steps of a measured run: far more than what it takes to begin one.
+const STEPS: u64 = 1000;
+
+fn run(contestant: &Contestant, system: &System, form: Form, step: f64) {
+    let plan = Plan { step, steps: STEPS, every: STEPS };
+    let outcome = contestant.stream(system, form, &plan, &mut |state| {
+        std::hint::black_box(state);
+    });
+    assert!(outcome.broken.is_none(), "{}", contestant.card.name);
+}
 
 /// A scene for every model; the step turns each by about a hundredth of a radian.
 const SCENES: [(&str, f64); 6] = [
@@ -28,18 +31,21 @@ const SCENES: [(&str, f64); 6] = [
     ("gravity-drag", 0.005),
 ];
 
-fn models() -> Vec<Row> {
-    let mut rows = Vec::new();
+fn models(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("step");
+    group.throughput(Throughput::Elements(STEPS));
     for (name, step) in SCENES {
-        let system = Scene::find(name).expect("built in").system;
+        let scene = Scene::find(name).expect("built in");
         for contestant in Contestant::all() {
-            if contestant.refusal(&system).is_none() {
-                let title = format!("{}, {} ({name})", contestant.card.name, system.least().name());
-                rows.push(Row::new(title, steps(contestant, system.clone(), Form::Least, step)));
+            if contestant.refusal(&scene.system).is_some() {
+                continue;
             }
+            let model = scene.system.least().name();
+            let id = BenchmarkId::new(contestant.card.name, format!("{model} ({name})"));
+            group.bench_function(id, |b| b.iter(|| run(&contestant, &scene.system, Form::Least, step)));
         }
     }
-    rows
+    group.finish();
 }
 
 /// A helix of equal mass points: no two moments equal, nothing aligned.
@@ -56,24 +62,19 @@ fn cloud(count: usize) -> System {
     System::new(body, Vec::new(), center, Rotation::identity(), Vector3::zeros(), spin).expect("a system")
 }
 
-fn points() -> impl Iterator<Item = Row> {
-    [4, 64, 1024, 16_384].into_iter().map(|count| {
-        let run = steps(contestant("peskin-rk2"), cloud(count), Form::Points, 0.01);
-        Row::new(format!("peskin-rk2, {count} points as written"), run)
-    })
+fn points(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("points");
+    let contestants = Contestant::all();
+    let peskin = contestants.iter().find(|c| c.card.name == "peskin-rk2").expect("a scheme of the list");
+    for count in [4, 64, 1024, 16_384] {
+        let system = cloud(count);
+        group.throughput(Throughput::Elements(STEPS * count as u64));
+        group.bench_function(BenchmarkId::new("peskin-rk2", count), |b| {
+            b.iter(|| run(peskin, &system, Form::Points, 0.01));
+        });
+    }
+    group.finish();
 }
 
-fn main() {
-    if common::is_test() {
-        return;
-    }
-    let words: Vec<String> = std::env::args().skip(1).filter(|word| !word.starts_with('-')).collect();
-    let mut rows = models();
-    rows.extend(points());
-    rows.retain(|row| words.iter().all(|word| row.name.contains(word.as_str())));
-    measure(&mut rows, FOR);
-    println!("| what | ns a step |\n|---|---|");
-    for row in &rows {
-        println!("| {} | {:.1} |", row.name, row.best);
-    }
-}
+criterion_group!(benches, models, points);
+criterion_main!(benches);
