@@ -76,6 +76,7 @@ pub(super) fn measure(
         reversal: reversal.as_ref(),
         symplecticity: symplecticity.as_ref(),
         other_worlds: &other_worlds,
+        generic: super::controls::is_generic(scene),
         step_limit: step_limit.as_ref().map(|(stored, measured)| (*stored, measured)),
         ..Case::of(&scene.name, system, &contestant.card, &evidence, baseline)
     };

@@ -13,6 +13,11 @@ const WITHOUT_TORQUE: &[&str] = &["free-asymmetric"];
 /// … and with it: three moments, products of inertia, a spin off every axis; the first that a scheme takes.
 const WITH_TORQUE: &[&str] = &["heavy-asymmetric-top", "tether-springs"];
 
+/// Whether a built-in scene is one of these.
+pub(super) fn is_generic(scene: &Scene) -> bool {
+    scene.built_in && WITHOUT_TORQUE.iter().chain(WITH_TORQUE).any(|name| *name == scene.name)
+}
+
 /// The controls of a campaign's schemes, each measured when it is first asked for. Clones share what was measured.
 #[derive(Clone, Default)]
 pub struct Controls {

@@ -51,7 +51,13 @@ impl Hello {
             other => other.to_string(),
         };
         let integrator = self.scheme.clone().unwrap_or_default();
-        Program { name: self.name.clone(), version, integrator, single_precision: self.single_precision() }
+        Program {
+            name: self.name.clone(),
+            version,
+            integrator,
+            single_precision: self.single_precision(),
+            digits: 0,
+        }
     }
 
     /// Whether it says that it computes in single precision.

@@ -106,6 +106,7 @@ impl Engine {
     fn program(&self) -> Program {
         Program {
             single_precision: self.hello.single_precision() || lock(&self.precision).is_single(),
+            digits: lock(&self.precision).digits(),
             ..self.hello.program()
         }
     }

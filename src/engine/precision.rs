@@ -12,12 +12,20 @@ pub(super) struct Precision {
     single: u64,
     /// No f32.
     double: u64,
+    /// Most significant digits of a number.
+    digits: usize,
 }
 
 impl Precision {
     pub fn add(&mut self, other: &Precision) {
         self.single += other.single;
         self.double += other.double;
+        self.digits = self.digits.max(other.digits);
+    }
+
+    /// Most significant digits of a number that was seen.
+    pub fn digits(&self) -> usize {
+        self.digits
     }
 
     /// Whether all numbers were single ones: by chance an f64 is one in 2²⁹.
@@ -30,6 +38,9 @@ impl FromIterator<f64> for Precision {
     fn from_iter<I: IntoIterator<Item = f64>>(numbers: I) -> Precision {
         let mut seen = Precision::default();
         for number in numbers {
+            if seen.digits < ALL_DIGITS {
+                seen.digits = seen.digits.max(digits(number));
+            }
             let single = number as f32;
             if f64::from(single) != number {
                 seen.double += 1;
@@ -41,9 +52,25 @@ impl FromIterator<f64> for Precision {
     }
 }
 
+/// Digits that a double may need: more need not be counted.
+const ALL_DIGITS: usize = 17;
+
+/// Significant digits of the shortest decimal number that reads as this one.
+fn digits(number: f64) -> usize {
+    let text = format!("{number:e}");
+    text.split('e').next().map_or(0, |mantissa| mantissa.bytes().filter(u8::is_ascii_digit).count())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn digits_are_those_of_the_longest_number() {
+        let seen = |numbers: &[f64]| numbers.iter().copied().collect::<Precision>().digits();
+        assert_eq!([seen(&[]), seen(&[0.5, -2.0e-7]), seen(&[1.23456789, 12.0])], [0, 1, 9]);
+        assert!(seen(&[0.1 + 0.2, 1.0]) > 15);
+    }
 
     #[test]
     fn single_numbers_are_told_from_double_and_from_round_ones() {

@@ -4,6 +4,7 @@
 
 mod deviations;
 mod control;
+mod convergence;
 mod energy;
 mod equivariant;
 mod evaluations;
@@ -62,6 +63,8 @@ pub struct Case<'a> {
     pub step_limit: Option<(&'a LinearLimit, &'a LinearLimit)>,
     /// What the scheme shows in a generic scene, where that was asked for.
     pub control: Option<&'a Control>,
+    /// Whether the scene is generic: in such a one an order is exactly the claimed one.
+    pub generic: bool,
 }
 
 impl<'a> Case<'a> {
@@ -88,6 +91,7 @@ impl<'a> Case<'a> {
             baseline,
             step_limit: None,
             control: None,
+            generic: false,
         }
     }
 }
@@ -139,6 +143,8 @@ pub fn judge(case: &Case) -> Vec<Verdict> {
     let mut verdicts = Vec::new();
     for claim in case.card.claims {
         match *claim {
+            // Judged by the rule below.
+            Claim::Order(_) if case.evidence.by_rule.is_some() => {}
             Claim::Order(order) => verdicts.extend(order::judge(case, order_here(case, order))),
             // Judged in place of the order, in the scenes that it speaks of.
             Claim::OrderWithoutTorque(_) => {}
@@ -155,6 +161,7 @@ pub fn judge(case: &Case) -> Vec<Verdict> {
             Claim::Solves(count) => verdicts.push(solves::judge(case, count)),
         }
     }
+    verdicts.extend(case.evidence.by_rule.iter().flat_map(|by_rule| convergence::judge(case, by_rule)));
     verdicts.extend(reduction::judge(case));
     verdicts.extend(stability::judge(case));
     verdicts.extend(judge_without_order(case));
@@ -185,12 +192,13 @@ pub fn refuse(scene: &str, card: &Card, reason: &str) -> Vec<Verdict> {
 }
 
 /// Exit code of a gate: 1 where a claim failed or a run broke, 2 where nothing failed but something is
-/// undecided, 0 where all holds. Known deviations do not count.
+/// undecided or nothing was judged, 0 where all holds. Known deviations do not count.
 pub fn exit_code(verdicts: &[Verdict]) -> u8 {
+    let judged = |v: &Verdict| v.scheme != "reference" && v.verdict != Ruling::NotApplicable;
     let counted = |ruling| verdicts.iter().any(|v| v.verdict == ruling && v.known_deviation.is_none());
     if counted(Ruling::Fail) || counted(Ruling::Broken) {
         1
-    } else if counted(Ruling::Inconclusive) || verdicts.is_empty() {
+    } else if counted(Ruling::Inconclusive) || !verdicts.iter().any(judged) {
         2
     } else {
         0

@@ -2,8 +2,10 @@
 
 use super::giant_steps::giant_steps;
 use super::ladder::{APART, BAND, Evidence, Place, QuantityLadder, Rung};
+use super::order::Decision;
 use super::past_break::goes_on_in;
 use super::rounding::{Adding, Rounding};
+use super::sightings::Sightings;
 use super::{ALL, Reading, Sight, errors, tolerance};
 use crate::measure::regression::Ladder;
 use crate::model::forces::Law;
@@ -32,6 +34,12 @@ const SAMPLES_OF_OWN_STEPS: usize = 4;
 const STANDS: f64 = 0.02;
 /// Slope below which errors hardly fall.
 const FLAT: f64 = 0.5;
+/// Rungs of a program under test after which the rule of orders is asked, …
+const FEWEST_BY_RULE: usize = 5;
+/// … in a scene without an order, at most …
+const MOST_WITHOUT_ORDER: usize = 8;
+/// … and most steps of a run of it, which is made four times.
+const MOST_STEPS_BY_RULE: u64 = 1 << 15;
 /// Steps of the run that rounding is measured in, over those of the coarsest rung, …
 const MEASURED_AT: u64 = 4;
 /// … and at most, where that run does not follow the truth and a finer one does.
@@ -82,17 +90,21 @@ pub fn climb(
         ladders: Vec::new(),
         giant_steps: Vec::new(),
         goes_on_in: None,
+        by_rule: None,
     };
+    let mut sightings = contestant.has_own_clock().then(|| Sightings::new(system, reference));
     let kink = !settle && system.forces.laws().iter().any(|law| matches!(law, Law::Ground(_)));
     let mut before = Vec::new();
     let mut earlier: Vec<Vec<QuantityLadder>> = Vec::new();
     // Rungs of one halving of h.
-    let halving = if order < HIGH_ORDER { 1 } else { 2 };
+    let halving = if order < HIGH_ORDER || sightings.is_some() { 1 } else { 2 };
     for index in 0..MOST_RUNGS {
-        let steps = steps_of_rung(first, index, order, kink);
+        let steps =
+            if sightings.is_some() { first << index } else { steps_of_rung(first, index, order, kink) };
         // The steps of a solver that chooses its own are its tolerances' names alone.
         let dear = steps > contestant.most_steps() && contestant.card.tolerance_exponent() == 0;
-        if dear && index >= FEWEST_RUNGS {
+        let dear_by_rule = sightings.is_some() && steps > MOST_STEPS_BY_RULE && index >= FEWEST_BY_RULE;
+        if dear && index >= FEWEST_RUNGS || dear_by_rule {
             break;
         }
         let plan = plan(reference, steps);
@@ -109,7 +121,10 @@ pub fn climb(
                 rung.floors = of_law(&rounding, Adding::Alike);
             }
         }
-        if own.is_none() && rung.is_clear_by_one_law(&of_law(&rounding, Adding::Unlike)) {
+        if own.is_none()
+            && sightings.is_none()
+            && rung.is_clear_by_one_law(&of_law(&rounding, Adding::Unlike))
+        {
             rounding.draw_again(contestant, system, motion, &plan, &states);
             rung.floors = of_law(&rounding, Adding::Alike);
         }
@@ -117,6 +132,21 @@ pub fn climb(
         evidence.rungs.push(rung);
         if refused {
             break;
+        }
+        if let Some(sightings) = &mut sightings {
+            sightings.take_in(contestant, (system, reference), &plan, &states);
+            evidence.ladders = ladders(&evidence.rungs, order);
+            if index + 1 >= FEWEST_BY_RULE {
+                let by_rule = sightings.judged(contestant);
+                let open = |decision: &Decision| matches!(decision, Decision::Undecided(_));
+                let done = !by_rule.decisions.iter().any(open);
+                evidence.by_rule = Some(by_rule);
+                if done || !settle && index + 1 >= MOST_WITHOUT_ORDER {
+                    break;
+                }
+            }
+            before = states;
+            continue;
         }
         before = states;
         if index + 1 >= FEWEST_RUNGS {
@@ -136,10 +166,6 @@ pub fn climb(
             }
             earlier.push(evidence.ladders.clone());
         }
-    }
-    if contestant.is_foreign() {
-        let sizes = sizes(system, reference);
-        evidence.ladders.iter_mut().for_each(|ladder| ladder.doubt_where_it_ended_early(order, &sizes));
     }
     evidence.goes_on_in = evidence.rungs.last().and_then(|finest| goes_on_in(contestant, system, finest));
     if system.steady_spin() && evidence.refusal().is_none() {
@@ -258,12 +284,4 @@ fn is_doubtful(ladder: &QuantityLadder, moved: &[f64], order: u32) -> bool {
     // Even a first-order rule that converges to something wrong comes nearer to it by half with every halving.
     let wander = fit.slope < FLAT && moved[last] > 0.01 * fine.1 && moved[last] > 0.75 * moved[before];
     fit.slope < f64::from(order) - BAND && (differ || wander)
-}
-
-/// How large each quantity of a motion is, or how far it can be off at all; a position can be off by anything.
-fn sizes(system: &System, reference: &Reference) -> [f64; 6] {
-    let largest = |value: fn(&Snapshot) -> f64| reference.states.iter().map(value).fold(0.0, f64::max);
-    let spin = largest(|s| rotation::length(&s.angular_velocity));
-    let momentum = largest(|s| rotation::length(&s.angular_momentum));
-    [f64::INFINITY, f64::INFINITY, 1.0, spin, momentum, system.body.extent()]
 }

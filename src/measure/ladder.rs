@@ -1,6 +1,6 @@
 //! A scheme's ladder of steps on a scene, and what it says of each quantity's order.
 
-use super::{FOLLOWS, Reading};
+use super::{ByRule, FOLLOWS, Reading};
 use crate::measure::regression::{self, Fit, Ladder};
 use crate::model::{Quantity, System};
 use crate::rotation;
@@ -121,28 +121,12 @@ pub struct QuantityLadder {
     pub constant: Option<f64>,
 }
 
-/// An error of this part of a motion says nothing of the limit h → 0.
-const AS_LARGE_AS_THE_MOTION: f64 = 0.25;
-
 impl QuantityLadder {
     /// A ladder of (h, error, floor), h falling, with what it says; the constant is that of `order`.
     pub fn of(quantity: Quantity, place: Place, rungs: Vec<(f64, f64, f64)>, order: u32) -> QuantityLadder {
         let ladder = regression::find_window(&rungs);
         let constant = leading_constant(&rungs, &ladder, order);
         QuantityLadder { quantity, place, rungs, ladder, constant }
-    }
-
-    /// A foreign program's ladder ends sooner than a scheme's. One whose finest error is still about as large as the motion
-    /// decides nothing about an order, where it would be below the claimed one.
-    pub(super) fn doubt_where_it_ended_early(&mut self, order: u32, sizes: &[f64; 6]) {
-        let size = Quantity::ALL.iter().position(|quantity| *quantity == self.quantity).map(|i| sizes[i]);
-        let large =
-            self.rungs.last().zip(size).is_some_and(|(rung, size)| rung.1 > AS_LARGE_AS_THE_MOTION * size);
-        let below = self.fit().is_some_and(|fit| fit.slope < f64::from(order) - BAND);
-        if large && below {
-            self.ladder = Ladder::Unsettled;
-            self.constant = None;
-        }
     }
 
     /// The fit, where there is a window.
@@ -184,6 +168,8 @@ pub struct Evidence {
     pub giant_steps: Vec<Rung>,
     /// A smaller step that the finest run would have gone on in from where it broke [s].
     pub goes_on_in: Option<f64>,
+    /// What the rule of orders says of a program under test, whose runs it reads as vectors.
+    pub by_rule: Option<ByRule>,
 }
 
 impl Evidence {

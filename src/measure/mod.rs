@@ -13,6 +13,7 @@ mod invariance;
 mod invariants;
 mod ladder;
 mod momentum;
+mod order;
 mod moved_starts;
 mod past_break;
 mod points;
@@ -20,6 +21,7 @@ pub(crate) mod regression;
 mod reversal;
 mod rigidity;
 mod rounding;
+mod sightings;
 mod symplecticity;
 mod tolerance;
 
@@ -32,8 +34,10 @@ pub use drift::{Class, EnergyDrift, EnergyRung, energy_drift};
 pub use flips::{FlipFinder, FlipRung, Flips, TrueFlips, flips, true_flips, tumbling_axis};
 pub use invariance::{OtherWorld, other_worlds};
 pub use ladder::{APART, BAND, Evidence, Place, QuantityLadder, Rung};
+pub use order::{Decision, Doubt, Order};
 pub use points::{PointRun, point_run};
 pub use reversal::{Reversal, reversal};
+pub use sightings::ByRule;
 pub use symplecticity::{Symplecticity, symplecticity};
 pub use tolerance::{FEWEST_TOLERANCES, Governed, governed, judged_by_tolerance};
 

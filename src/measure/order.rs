@@ -248,9 +248,7 @@ impl<'a> Vectors<'a> {
         if !(together && clear && length(apart) < BELOW * length(error)) {
             return None;
         }
-        let largest = |vector: &[f64]| {
-            vector.chunks(vector.len() / samples).map(length).fold(0.0, f64::max)
-        };
+        let largest = |vector: &[f64]| vector.chunks(vector.len() / samples).map(length).fold(0.0, f64::max);
         let step = self.runs.last()?.step;
         Some(Decision::Elsewhere { error: largest(error), apart: largest(apart), step, until })
     }

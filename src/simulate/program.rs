@@ -11,4 +11,6 @@ pub struct Program {
     pub integrator: String,
     /// Whether it computes in single precision: it says so, or all that it has answered so far is single.
     pub single_precision: bool,
+    /// Most significant digits of a number that it has printed so far; 0 before the first.
+    pub digits: usize,
 }

@@ -77,6 +77,7 @@ impl Made {
                 ladders: Vec::new(),
                 giant_steps: Vec::new(),
                 goes_on_in: None,
+                by_rule: None,
             },
             drift: None,
             points: None,
@@ -87,6 +88,7 @@ impl Made {
             baseline: Baseline::default(),
             step_limit: None,
             control: None,
+            generic: false,
         }
     }
 
