@@ -5,6 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
+use polhode::internals::report::write_published;
 use polhode::internals::study::published::{SCENES, rows_of};
 use polhode::record::PublishedRow;
 
@@ -54,4 +55,19 @@ fn every_scene_beside_the_figures_is_used_and_has_its_own_name() {
     let listed: BTreeSet<String> = SCENES.iter().map(|(name, _)| format!("{name}.toml")).collect();
     assert_eq!(files, listed);
     assert!(SCENES.iter().all(|(name, _)| used.contains(name)));
+}
+
+#[test]
+fn the_page_of_published_numbers_is_what_the_figures_give() {
+    let mut page = Vec::new();
+    write_published(&ROWS, &mut page).expect("a page");
+    let path = references().join("PUBLISHED.md");
+    if std::env::var_os("POLHODE_WRITE_PUBLISHED").is_some() {
+        fs::write(&path, &page).expect("written");
+    }
+    let stored = fs::read(&path).unwrap_or_default();
+    assert!(
+        stored == page,
+        "make it anew: POLHODE_WRITE_PUBLISHED=1 cargo test --release --test published_numbers"
+    );
 }

@@ -33,6 +33,9 @@ pub struct PublishedRow {
     pub agreement: Agreement,
     /// How sure the published figure is.
     pub sureness: Sureness,
+    /// Whether a number that is off is the run of a scheme, and so carries its truncation error.
+    #[serde(default)]
+    pub truncated: bool,
     /// A remark, or empty.
     pub note: String,
 }
@@ -72,7 +75,7 @@ impl PublishedRow {
         }
     }
 
-    /// Numbers that Polhode no longer gives: a computed one more than a unit of the last digit from the stored one.
+    /// Indices of numbers that moved: computed and stored differ by more than a unit of the last digit.
     pub fn moved(&self) -> Vec<usize> {
         let still = |i: usize| {
             let stored = self.ours.get(i)?;

@@ -1,6 +1,6 @@
-//! Adams–Bashforth on the rates of a free body in its principal axes alone, from a history filled with the first rate of change.
+//! Adams–Bashforth on Ω of a free body in its principal axes alone. The history is filled with the first rate of change.
 //!
-//! ω' = I⁻¹ (I ω × ω): Euler's equations in body axes. Flight simulators integrate them so, beside an attitude of their own. The
+//! ω' = I⁻¹ (I ω × ω): Euler's equations in body axes. Flight simulators integrate them beside an attitude. The
 //! schemes of the list step a quaternion and the world momentum instead, and make other errors.
 //!
 //! Source: Bashforth and Adams 1883; coefficients of orders 2 to 5 in Hairer, Nørsett, Wanner, section III.1.

@@ -64,8 +64,8 @@ pub(super) enum Measure {
     PositionError,
     /// |error of a component of X_cm − X_cm(0)| over its size.
     RelativeError,
-    /// Least and largest error of a component of Ω in body axes from `from` to `time`; besides the schemes of the list,
-    /// `body-rates-adams-bashforth-K` gives it.
+    /// Least and largest error of a component of Ω in body axes from `from` to `time`. The scheme may be
+    /// `body-rates-adams-bashforth-K` too.
     RateErrorExtremes,
     /// Period of a component of Ω in body axes.
     SpinPeriod,
@@ -131,6 +131,9 @@ pub(super) struct Figure {
     pub sureness: Sureness,
     /// Where it differs from the problem's.
     pub source: Option<String>,
+    /// Whether a number that is off is the run of a scheme.
+    #[serde(default)]
+    pub truncated: bool,
     #[serde(default)]
     pub note: String,
 }

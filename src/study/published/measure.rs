@@ -90,7 +90,7 @@ fn rodrigues(rotation: &Rotation) -> Vector3<f64> {
     rotation.imag() * (sign / (1.0 + rotation.w.abs()))
 }
 
-/// |Ω| over the observed one less 1, without its sign; the angles of Ω in body axes, and of each body axis [deg].
+/// ||Ω| over the observed one − 1|; the angles of Ω in body axes, and of each body axis, to the observed ones [deg].
 fn residuals(state: &Snapshot, observed: &Observation) -> Vec<f64> {
     let [first, second, third] = observed.angles.map(f64::to_radians);
     let about = |axis: Vector3<f64>, angle: f64| rotation::turn(&(axis * angle));
@@ -106,8 +106,8 @@ fn residuals(state: &Snapshot, observed: &Observation) -> Vec<f64> {
     vec![speed, apart(ours, rates), axis(0), axis(1), axis(2)]
 }
 
-/// Largest changes of energy and momentum over the run, relative, and the largest distance from the truth at [`SAMPLES`]
-/// times and the end.
+/// Largest relative changes of energy and momentum over the run, and the largest distance from the truth at
+/// [`SAMPLES`] times and the end.
 fn largest_errors(figure: &Figure, motion: &Motion) -> Result<Vec<f64>, PublishedError> {
     let states = motion.run(figure, 1)?;
     let (system, start) = (&motion.scene.system, motion.start());

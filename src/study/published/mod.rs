@@ -1,10 +1,11 @@
 //! Figures on rigid-body motion that others published, computed again.
 //!
-//! The figures are data: `references/published/figures.toml`, each with its source, the printed numbers, the digits that
-//! Polhode gives, and the limit that a difference is held to. The scenes stand beside them. A number comes from the truth,
-//! which is the Taylor series of our own, or from a scheme at the published step.
+//! The figures are data: `references/published/figures.toml`. Each has its source, the printed numbers, the digits that
+//! Polhode gives, and the limit that a difference is held to. The scenes stand beside them. A number comes from the
+//! truth, which is the Taylor series of our own, or from a scheme at the published step.
 //!
-//! A limit is one unit of the last printed digit, or the error that the source states, or one that the figure derives.
+//! A limit is one unit of the last printed digit, or the error that the source states, or one that the figure
+//! derives.
 
 mod body_rates;
 mod data;
@@ -118,6 +119,7 @@ fn row(
         computed,
         agreement: figure.agreement,
         sureness: figure.sureness,
+        truncated: figure.truncated,
         note: figure.note.clone(),
     })
 }

@@ -1,7 +1,7 @@
 //! Periods of the truth: the time from one zero of a signal to the next but one.
 //!
-//! The zeros are found on a grid and on ever finer ones inside the interval where the sign changes, so that no closed
-//! form is used: the published periods are often closed forms.
+//! The zeros are found on a grid, and on ever finer ones inside the interval where the sign changes. No closed form is
+//! used: the published periods are often closed forms.
 
 use std::f64::consts::TAU;
 
