@@ -5,9 +5,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-use polhode::internals::report::write_published;
+use polhode::internals::report::{self, write_published};
 use polhode::internals::study::published::{SCENES, rows_of};
-use polhode::record::PublishedRow;
+use polhode::record::{PublishedRow, Records, SCHEMA};
 
 /// From the file itself, so that an edit of the figures needs no build.
 static ROWS: LazyLock<Vec<PublishedRow>> = LazyLock::new(|| {
@@ -70,4 +70,17 @@ fn the_page_of_published_numbers_is_what_the_figures_give() {
         stored == page,
         "make it anew: POLHODE_WRITE_PUBLISHED=1 cargo test --release --test published_numbers"
     );
+}
+
+#[test]
+fn a_report_of_records_with_published_figures_has_them_all() {
+    let records = Records { schema: SCHEMA.to_owned(), published: ROWS.clone(), ..Records::default() };
+    let folder = tempfile::tempdir().expect("a folder");
+    report::write(&records, folder.path(), &|_, _| ()).expect("a report");
+    let read = Records::read(&folder.path().join("records.json")).expect("records");
+    assert_eq!(read.published.len(), ROWS.len());
+    for page in ["report.md", "index.html"] {
+        let text = fs::read_to_string(folder.path().join(page)).expect("a page");
+        assert!(ROWS.iter().all(|row| text.contains(&row.published.join(", "))), "{page}");
+    }
 }
