@@ -15,6 +15,7 @@ use crate::report;
 use crate::scenes::Scene;
 use crate::schemes;
 use crate::simulate::Contestant;
+use crate::study::published;
 
 /// Options of `polhode report`.
 #[derive(Args, Clone, Debug)]
@@ -79,6 +80,14 @@ fn records(options: &Options, quiet: bool) -> Result<Records, Failure> {
     campaign::add_costs(&mut records, &scenes, &contestants, SECONDS_A_COST);
     campaign::add_reductions(&mut records, &scenes);
     if selection.is_default() {
+        match published::rows() {
+            Ok(rows) => records.published = rows,
+            // What was measured is worth more than what is missing.
+            Err(error) => {
+                records.complete = false;
+                talk(quiet, &format!("no published numbers: {error}"));
+            }
+        }
         campaign::add_scaling(&mut records, options.full);
     }
     Ok(records)

@@ -8,6 +8,7 @@ pub mod stability;
 mod cost;
 mod engines;
 mod findings;
+mod published;
 mod subjects;
 #[cfg(feature = "cli")]
 mod tables;
@@ -24,6 +25,7 @@ use serde::{Deserialize, Serialize};
 pub use cost::{CostRow, ScalingRow};
 pub use engines::{EngineRow, PeerRow, Twin};
 pub use findings::{Drift, Measurement, Order, Series};
+pub use published::{Agreement, PublishedRow, Sureness, last_digit};
 pub use subjects::{ReferenceRow, SceneRow, SchemeRow};
 #[cfg(feature = "cli")]
 pub use tables::{write_csv, write_json};
@@ -81,6 +83,9 @@ pub struct Records {
     /// Pairs that move a body alike.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub twins: Vec<Twin>,
+    /// Figures that others published, beside ours.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub published: Vec<PublishedRow>,
 }
 
 /// The machine that the costs belong to.
@@ -132,6 +137,7 @@ impl Records {
         self.engines.extend(other.engines);
         self.peers.extend(other.peers);
         self.twins.extend(other.twins);
+        self.published.extend(other.published);
         let judged = self.verdicts.len();
         for verdict in other.verdicts {
             if !self.verdicts[..judged].contains(&verdict) {

@@ -9,10 +9,12 @@ use super::template;
 
 const TEMPLATE: &str = include_str!("template/index.html");
 const ENGINES: &str = include_str!("template/engines.html");
+const PUBLISHED: &str = include_str!("template/published.html");
 
 /// Writes the page as HTML.
 pub(super) fn render(page: &Page, writer: impl Write) -> Result<(), minijinja::Error> {
     let mut environment = template::environment(AutoEscape::Html)?;
     environment.add_template("engines.html", ENGINES)?;
+    environment.add_template("published.html", PUBLISHED)?;
     template::fill(&environment, TEMPLATE, page, writer)
 }

@@ -9,17 +9,19 @@ use super::template;
 
 const TEMPLATE: &str = include_str!("template/report.md");
 const ENGINES: &str = include_str!("template/engines.md");
+const PUBLISHED: &str = include_str!("template/published.md");
 
 /// Writes the page as Markdown.
 pub(super) fn render(page: &Page, writer: impl Write) -> Result<(), minijinja::Error> {
     template::fill(&environment()?, TEMPLATE, page, writer)
 }
 
-/// Of every page in Markdown: the filter for cells, and the section on engines.
+/// Of every page in Markdown: the filter for cells, and the sections on engines and on published figures.
 pub(super) fn environment() -> Result<Environment<'static>, minijinja::Error> {
     let mut environment = template::environment(AutoEscape::None)?;
     environment.add_filter("cell", |text: String| cell(&text));
     environment.add_template("engines.md", ENGINES)?;
+    environment.add_template("published.md", PUBLISHED)?;
     Ok(environment)
 }
 

@@ -11,6 +11,7 @@ mod markdown;
 mod number;
 mod page;
 mod plot;
+mod published;
 mod ranking;
 mod stability;
 mod survey;
@@ -29,6 +30,7 @@ use crate::record::{RecordError, Records, WholeFile, write_csv, write_json, writ
 pub use github::annotations;
 pub use junit::junit;
 pub use plot::{heat_map, line_chart};
+pub use published::write_published;
 pub use stability::{table as stability_table, write as write_stability};
 pub use text::verdict_table;
 

@@ -13,6 +13,7 @@ use crate::record::{Machine, Records, Verdict};
 use super::engines;
 use super::number;
 use super::plot::Subject;
+use super::published;
 use super::ranking::Work;
 use super::survey::{self, Outcome};
 
@@ -43,6 +44,7 @@ pub(super) struct Page {
     drifts: Vec<tables::DriftRow>,
     overall: Vec<rankings::Overall>,
     engines: Option<engines::Section>,
+    published: Option<published::Section>,
     cheapest: Vec<FigureView>,
     costs: Option<costs::Costs>,
     scaling: Option<FigureView>,
@@ -149,6 +151,7 @@ pub(super) fn compose(records: &Records, main: &Records, figures: &[Figure]) -> 
         drifts: main.drifts.iter().map(tables::DriftRow::new).collect(),
         overall: rankings::overall(records),
         engines: engines::Section::new(records, figures),
+        published: published::Section::new(&records.published),
         cheapest: cheapest(figures),
         costs: costs::Costs::new(records),
         scaling: figure(
