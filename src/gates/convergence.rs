@@ -6,7 +6,7 @@
 //!   one scene a higher one is a remark.
 
 use super::{Case, ruled};
-use crate::measure::{ByRule, Decision, Doubt, Order};
+use crate::measure::{ByRule, Cause, Decision, Doubt, Order};
 use crate::model::Quantity;
 use crate::model::body::Shape;
 use crate::record::{Ruling, Verdict};
@@ -24,6 +24,12 @@ pub(super) fn judge(case: &Case, by_rule: &ByRule) -> Vec<Verdict> {
             start.into_iter().chain(judge_decision(case, quantity, order, &by_rule.decisions[index]))
         })
         .collect();
+    if by_rule.fails() {
+        let words = by_rule.cause.map(Cause::words);
+        let detail = words
+            .map_or("no hypothesis explains the run".to_owned(), |words| format!("likeliest cause: {words}"));
+        verdicts.push(ruled(case, "converges", "cause", Ruling::NotApplicable, detail));
+    }
     if case.card.order() == 0 && case.not_for_order.is_none() {
         let detail =
             "the program claims no order, so none was judged: --order P says which one to hold it to";

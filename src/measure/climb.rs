@@ -1,5 +1,6 @@
 //! The same run at halved steps, until the orders of a scheme on a scene are settled.
 
+use super::cause::likeliest_cause;
 use super::giant_steps::giant_steps;
 use super::ladder::{APART, BAND, Evidence, Place, QuantityLadder, Rung};
 use super::order::Decision;
@@ -34,6 +35,10 @@ const SAMPLES_OF_OWN_STEPS: usize = 4;
 const STANDS: f64 = 0.02;
 /// Slope below which errors hardly fall.
 const FLAT: f64 = 0.5;
+/// Sample times of a program under test: the end, a quarter of the run and a sixteenth are among them.
+const SAMPLES_BY_RULE: usize = 16;
+/// Radians turned in a step of its coarsest rung, at most.
+const COARSEST_TURN_BY_RULE: f64 = 1.6;
 /// Rungs of a program under test after which the rule of orders is asked, …
 const FEWEST_BY_RULE: usize = 5;
 /// … in a scene without an order, at most …
@@ -65,17 +70,19 @@ pub fn climb(
     let samples = match order {
         // Every stored time cuts a step that the solver has chosen.
         _ if contestant.card.tolerance_exponent() > 0 => SAMPLES_OF_OWN_STEPS,
+        _ if contestant.has_own_clock() => SAMPLES_BY_RULE,
         HIGH_ORDER.. => FEWEST_SAMPLES,
         _ => reference.times.len() - 1,
     };
     let thinned = reference.thinned((reference.times.len() - 1) / samples);
     let reference = &thinned;
-    let coarsest = COARSEST_TURN * coarser;
+    let by_rule = contestant.has_own_clock();
+    let coarsest = if by_rule { COARSEST_TURN_BY_RULE } else { COARSEST_TURN * coarser };
     let samples = reference.times.len() as u64 - 1;
     let duration = reference.times[reference.times.len() - 1];
     let turned =
         reference.states.iter().map(|s| rotation::length(&s.angular_velocity)).fold(0.0, f64::max) * duration;
-    let mut first = if order < HIGH_ORDER { samples } else { 2 * samples };
+    let mut first = if order < HIGH_ORDER || by_rule { samples } else { 2 * samples };
     while turned / first as f64 > coarsest && first << FEWEST_RUNGS <= contestant.most_steps() {
         first *= 2;
     }
@@ -92,9 +99,9 @@ pub fn climb(
         goes_on_in: None,
         by_rule: None,
     };
-    let mut sightings = contestant.has_own_clock().then(|| Sightings::new(system, reference));
+    let mut sightings = by_rule.then(|| Sightings::new(system, reference));
     let kink = !settle && system.forces.laws().iter().any(|law| matches!(law, Law::Ground(_)));
-    let mut before = Vec::new();
+    let (mut before, mut coarser_run) = (Vec::new(), Vec::new());
     let mut earlier: Vec<Vec<QuantityLadder>> = Vec::new();
     // Rungs of one halving of h.
     let halving = if order < HIGH_ORDER || sightings.is_some() { 1 } else { 2 };
@@ -136,6 +143,7 @@ pub fn climb(
         if let Some(sightings) = &mut sightings {
             sightings.take_in(contestant, (system, reference), &plan, &states);
             evidence.ladders = ladders(&evidence.rungs, order);
+            coarser_run = std::mem::replace(&mut before, states);
             if index + 1 >= FEWEST_BY_RULE {
                 let by_rule = sightings.judged(contestant);
                 let open = |decision: &Decision| matches!(decision, Decision::Undecided(_));
@@ -145,7 +153,6 @@ pub fn climb(
                     break;
                 }
             }
-            before = states;
             continue;
         }
         before = states;
@@ -166,6 +173,9 @@ pub fn climb(
             }
             earlier.push(evidence.ladders.clone());
         }
+    }
+    if let Some(by_rule) = evidence.by_rule.as_mut().filter(|by_rule| by_rule.fails()) {
+        by_rule.cause = likeliest_cause(system, &reference.states, &before, &coarser_run);
     }
     evidence.goes_on_in = evidence.rungs.last().and_then(|finest| goes_on_in(contestant, system, finest));
     if system.steady_spin() && evidence.refusal().is_none() {

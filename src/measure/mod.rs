@@ -3,6 +3,7 @@
 //! A metric reads the states of a run and those of its reference at the same times. It returns the value at the
 //! end and the largest over the run; what does not apply to a scene is `None`, never a number.
 
+mod cause;
 mod climb;
 mod drawn;
 mod drift;
@@ -29,6 +30,7 @@ use crate::model::{Quantity, Snapshot, System, difference};
 use crate::reference::Reference;
 use crate::simulate::{Contestant, Form, Plan};
 
+pub use cause::{Cause, likeliest_cause};
 pub use climb::climb;
 pub use drift::{Class, EnergyDrift, EnergyRung, energy_drift};
 pub use flips::{FlipFinder, FlipRung, Flips, TrueFlips, flips, true_flips, tumbling_axis};

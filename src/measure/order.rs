@@ -178,8 +178,9 @@ impl<'a> Vectors<'a> {
         let floors = runs.iter().map(|run| {
             let copies = length(&run.rounding[..samples.min(run.rounding.len())]);
             let steps = f64::EPSILON * run.steps as f64 * asked.scale;
-            let told = asked.unit * asked.scale;
-            (CLEAR * copies).max((steps + CLEAR * told + CLEAR * asked.uncertainty) * of_all)
+            // Half a unit of the last digit is a bound, no estimate: r is to resolve a tenth of the error.
+            let known = (asked.unit * asked.scale + asked.uncertainty) / BELOW;
+            (CLEAR * copies).max((steps + known) * of_all)
         });
         Vectors { errors: errors.collect(), floors: floors.collect(), runs }
     }

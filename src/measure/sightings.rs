@@ -8,6 +8,7 @@
 
 use nalgebra::Vector3;
 
+use super::cause::Cause;
 use super::moved_starts::displaced;
 use super::order::{Asked, CLEAR, Decision, Sighting, decide};
 use crate::model::body::{Body, Shape};
@@ -35,6 +36,16 @@ pub struct ByRule {
     pub allowed: [f64; COUNT],
     /// Size of each quantity over the motion.
     pub sizes: [f64; COUNT],
+    /// What explains a run that converges to another motion.
+    pub cause: Option<Cause>,
+}
+
+impl ByRule {
+    /// Whether the program starts or ends elsewhere in any quantity.
+    pub fn fails(&self) -> bool {
+        let elsewhere = |decision: &Decision| matches!(decision, Decision::Elsewhere { .. });
+        self.decisions.iter().any(elsewhere) || self.start.iter().zip(&self.allowed).any(|(a, b)| a > b)
+    }
 }
 
 /// The runs of a contestant in a scene, quantity by quantity.
@@ -54,7 +65,7 @@ impl Sightings {
     pub fn new(system: &System, reference: &Reference) -> Sightings {
         let runs = std::array::from_fn(|_| Vec::new());
         let uncertainty = reference.largest_uncertainty();
-        let (scales, times) = (scales(system, reference), reference.times[1..].to_vec());
+        let (scales, times) = (scales(system, &reference.states), reference.times[1..].to_vec());
         Sightings { times, runs, scales, uncertainty, unit: 0.0, start: [0.0; COUNT] }
     }
 
@@ -98,7 +109,7 @@ impl Sightings {
     pub fn judged(&self, contestant: &Contestant) -> ByRule {
         let told = Told::by(contestant.program());
         let allowed = self.scales.map(|scale| CLEAR * (told.arithmetic + told.relative) * scale);
-        ByRule { decisions: self.decisions(), start: self.start, allowed, sizes: self.scales }
+        ByRule { decisions: self.decisions(), start: self.start, allowed, sizes: self.scales, cause: None }
     }
 
     fn decisions(&self) -> [Decision; COUNT] {
@@ -140,8 +151,8 @@ fn vector(body: &Body, quantity: Quantity, a: &Snapshot, b: &Snapshot) -> Vec<f6
 }
 
 /// Size of each quantity over the motion.
-fn scales(system: &System, reference: &Reference) -> [f64; COUNT] {
-    let largest = |value: fn(&Snapshot) -> f64| reference.states.iter().map(value).fold(0.0, f64::max);
+pub(super) fn scales(system: &System, motion: &[Snapshot]) -> [f64; COUNT] {
+    let largest = |value: fn(&Snapshot) -> f64| motion.iter().map(value).fold(0.0, f64::max);
     let (position, spin) =
         (largest(|s| rotation::length(&s.position)), largest(|s| rotation::length(&s.angular_velocity)));
     let extent = system.body.extent();

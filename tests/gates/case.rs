@@ -88,7 +88,6 @@ impl Made {
             baseline: Baseline::default(),
             step_limit: None,
             control: None,
-            generic: false,
         }
     }
 
