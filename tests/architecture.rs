@@ -43,6 +43,7 @@ const EDGES: &[(&str, &[&str])] = &[
         "campaign",
         &[
             "claim",
+            "engine",
             "gates",
             "interrupt",
             "measure",

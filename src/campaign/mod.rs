@@ -6,6 +6,8 @@
 mod cell;
 mod controls;
 mod costs;
+#[cfg(feature = "cli")]
+mod peers;
 mod reduction;
 mod rows;
 mod scaling;
@@ -23,7 +25,9 @@ use crate::scenes::Scene;
 use crate::simulate::Contestant;
 
 pub use controls::Controls;
-pub use costs::{add_costs, typical_step};
+pub use costs::{SECONDS_A_COST, add_costs, typical_step};
+#[cfg(feature = "cli")]
+pub use peers::add_peers;
 pub use reduction::add_reductions;
 pub use scaling::add_scaling;
 
