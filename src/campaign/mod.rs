@@ -11,6 +11,7 @@ mod peers;
 mod reduction;
 mod rows;
 mod scaling;
+mod survey;
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -28,8 +29,8 @@ pub use controls::Controls;
 pub use costs::{SECONDS_A_COST, add_costs, typical_step};
 #[cfg(feature = "cli")]
 pub use peers::add_peers;
-pub use reduction::add_reductions;
-pub use scaling::add_scaling;
+pub use scaling::Sizes;
+pub use survey::{Survey, Task};
 
 /// Samples of a reference over the run.
 const SAMPLES: usize = 64;

@@ -1,6 +1,8 @@
-//! Progress and remarks on stderr.
+//! Progress on stderr.
 
 use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::campaign::Task;
 
 /// Does work that calls (done, of all) after each piece, beside a bar with the time left. There is no bar where `quiet`, or where
 /// stderr is no terminal.
@@ -18,11 +20,19 @@ pub(super) fn with_bar<T>(
     result
 }
 
-/// Says on stderr what is going on.
-pub(super) fn talk(quiet: bool, words: &str) {
-    if !quiet {
-        eprintln!("polhode: {words}");
-    }
+/// The same for a survey, whose tasks have a bar each, one after the other.
+pub(super) fn with_tasks<T>(quiet: bool, work: impl FnOnce(&(dyn Fn(Task, usize, usize) + Sync)) -> T) -> T {
+    let bar = bar(quiet, "");
+    let result = work(&|task, done, all| {
+        if task == Task::Timing && done == 0 && !quiet {
+            bar.suspend(|| eprintln!("polhode: timing steps, one thread"));
+        }
+        bar.set_prefix(task.word());
+        bar.set_length(all as u64);
+        bar.set_position(done as u64);
+    });
+    bar.finish_and_clear();
+    result
 }
 
 fn bar(quiet: bool, what: &'static str) -> ProgressBar {
