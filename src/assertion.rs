@@ -15,9 +15,10 @@
 //!     fn step<M: Model>(
 //!         model: &M, t: f64, h: f64, from: &M::State, to: &mut M::State, work: &mut Workspace<M>,
 //!     ) -> Result<(), Broken> {
+//!         let [end] = work.buffers();
 //!         let first = model.rates(t, from)?;
-//!         model.advance(from, h, &first, &mut work.states[0]);
-//!         let second = model.rates(t + h, &work.states[0])?;
+//!         model.advance(from, h, &first, end);
+//!         let second = model.rates(t + h, end)?;
 //!         model.advance(from, h, &(first * 0.5 + second * 0.5), to);
 //!         Ok(())
 //!     }

@@ -44,11 +44,11 @@ impl<M: Model> Workspace<M> {
         self.history.clone_from(&other.history);
     }
 
-    /// The first `N` states, by name in the caller.
+    /// The first `N` states, to be borrowed by name: `let [half] = work.buffers();`. They hold what the last step left in them.
     ///
     /// # Panics
-    /// The scheme declares fewer.
-    fn buffers<const N: usize>(&mut self) -> &mut [M::State; N] {
+    /// The scheme's `STATES` is less than `N`.
+    pub fn buffers<const N: usize>(&mut self) -> &mut [M::State; N] {
         self.states.first_chunk_mut().expect("a scheme declares the states that it uses")
     }
 }
