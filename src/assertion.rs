@@ -1,34 +1,7 @@
 //! Gates for a scheme of your own, in your own `cargo test`.
 //!
-//! ```
-//! use polhode::model::{Broken, Model};
-//! use polhode::schemes::{Card, Scheme, Workspace};
-//!
-//! /// Heun's rule: the mean of the rates at both ends.
-//! struct Heun;
-//!
-//! impl Scheme for Heun {
-//!     const CARD: Card =
-//!         Card { name: "my-heun", title: "Heun's rule", family: "mine", source: "", claims: &[] };
-//!     const STATES: usize = 1;
-//!
-//!     fn step<M: Model>(
-//!         model: &M, t: f64, h: f64, from: &M::State, to: &mut M::State, work: &mut Workspace<M>,
-//!     ) -> Result<(), Broken> {
-//!         let [end] = work.buffers();
-//!         let first = model.rates(t, from)?;
-//!         model.advance(from, h, &first, end);
-//!         let second = model.rates(t + h, end)?;
-//!         model.advance(from, h, &(first * 0.5 + second * 0.5), to);
-//!         Ok(())
-//!     }
-//! }
-//!
-//! polhode::assert_order(&Heun, 2);
-//! ```
-//!
-//! In a test file of your crate the last line stands in a `#[test]`. Where the order is another one it panics with a line
-//! such as `my-heun: order 1.00 measured, 2 claimed, in 42 of 42 quantities`, and with what was measured in each of them.
+//! The guide has an example. In a test file of your crate the assertion stands in a `#[test]`. Where the order is another one it panics
+//! with a line such as `my-heun: order 1.00 measured, 2 claimed, in 42 of 42 quantities`, and with what was measured in each of them.
 
 use crate::campaign::Campaign;
 use crate::claim::Claim;
@@ -40,9 +13,10 @@ use crate::simulate::Contestant;
 
 /// Scenes that an order is asserted in: without torque, about a pivot, under forces on points, with time and
 /// velocity in the forces.
-pub const SCENES: [&str; 4] = ["free-asymmetric", "kovalevskaya", "tether-springs", "gravity-drag"];
+const SCENES: [&str; 4] = ["free-asymmetric", "kovalevskaya", "tether-springs", "gravity-drag"];
 
-/// Asserts that a scheme has an order, from above and from below, in every quantity in the scenes of [`SCENES`].
+/// Asserts that a scheme has an order, from above and from below, in every quantity: in `free-asymmetric`, `kovalevskaya`,
+/// `tether-springs` and `gravity-drag`.
 ///
 /// # Panics
 /// It has another, none can be read, or a run breaks; the message says where and what was measured.

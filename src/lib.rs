@@ -1,12 +1,15 @@
 //! Polhode: a verification and benchmark harness for rigid-body time-stepping schemes.
 //!
+//! The [`guide`] says how to gate a scheme of your own, how to write a scene and how to read the records; the [`prelude`] has what
+//! that needs. The feature `cli`, on by default, adds the program and [`write_report`]; without it the crate is a library for tests.
+//!
 //! ```text
 //! scene ──► system (body + forces, the least model that the scene needs)
 //!              │
-//! scheme ──► simulate ──► trajectory ──► metrics ──► records (JSON/CSV on disk)
-//!              ▲                            ▲             │
-//!           reference (closed form, ODE) ───┘             ├──► gates ──► verdicts ──► exit code, JUnit
-//!                                                         └──► report ──► PNG, HTML, Markdown
+//! scheme ──► simulate ──► trajectory ──► measure ──► records (JSON, CSV)
+//!              ▲                            ▲           │
+//! engine, log ─┘    reference, at any time ─┘           ├──► gates ──► verdicts ──► exit code, JUnit
+//!                                                       └──► report ──► PNG, HTML, Markdown
 //! ```
 //!
 //! Modules stand in the order of dependency; a test reads their `use` lines and fails on any edge that goes the
@@ -39,7 +42,12 @@ mod report;
 #[cfg(feature = "cli")]
 mod cli;
 
+pub mod prelude;
+pub mod guide;
+
 pub use assertion::{assert_order, assert_order_in, assert_order_in_body_axes};
+#[cfg(feature = "cli")]
+pub use report::{ReportError, write_report};
 
 /// What the program, the benches and the tests of this repository use besides: no promise, it changes without notice.
 #[cfg(feature = "cli")]

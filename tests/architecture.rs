@@ -99,6 +99,8 @@ const EDGES: &[(&str, &[&str])] = &[
             "study",
         ],
     ),
+    ("prelude", &["assertion", "campaign", "model", "record", "report", "scenes", "schemes", "simulate"]),
+    ("guide", &[]),
 ];
 
 fn sources(path: &Path, found: &mut Vec<String>) {

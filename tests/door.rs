@@ -30,3 +30,28 @@ fn no_subcommand_uses_the_file_of_another_one() {
         }
     }
 }
+
+#[test]
+fn the_readme_quotes_the_example_to_the_letter() {
+    let example = read("examples/my_scheme.rs");
+    let (_, code) = example.split_once("\n\n").expect("a heading and the code");
+    assert!(read("README.md").contains(&format!("```rust\n{code}```\n")));
+}
+
+#[test]
+fn every_path_in_the_documents_exists() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    for document in ["README.md", "CHANGELOG.md", "references/METHODOLOGY.md"] {
+        let folder = root.join(document).parent().expect("a folder").to_owned();
+        let text = read(document);
+        let linked = text.split("](").skip(1).filter_map(|rest| rest.split([')', '#']).next());
+        for path in linked.filter(|path| !path.starts_with("http")) {
+            assert!(folder.join(path).exists(), "{document}: {path}");
+        }
+        let quoted = text.split('`').skip(1).step_by(2);
+        let places = ["src/", "references/", "tests/", "examples/", "reports/published/"];
+        for path in quoted.filter(|path| places.iter().any(|place| path.starts_with(place))) {
+            assert!(root.join(path).exists(), "{document}: {path}");
+        }
+    }
+}
