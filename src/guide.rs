@@ -7,7 +7,12 @@
 //! ```toml
 //! [dev-dependencies]
 //! polhode = { version = "0.1", default-features = false }
+//!
+//! [profile.test]
+//! opt-level = 2
 //! ```
+//!
+//! Optimized, an assertion takes a second or two; without optimization it takes a minute.
 //!
 //! A scheme is a type that implements [`Scheme`](super::schemes::Scheme). Its step is written in two verbs of a model.
 //! [`rates`](super::model::Model::rates) evaluates the forces and returns Ω, U_cm, F/M and τ at a state.

@@ -15,6 +15,9 @@
 //! Modules stand in the order of dependency; a test reads their `use` lines and fails on any edge that goes the
 //! other way.
 
+// Without the program parts of the modules have no user.
+#![cfg_attr(not(feature = "cli"), allow(dead_code, unused_imports))]
+
 mod interrupt;
 mod arithmetic;
 mod rotation;
@@ -65,7 +68,42 @@ pub mod internals {
 
     rooms!(arithmetic, engine, log, ode, report, rotation, self_test, study);
 
+    pub mod gates {
+        pub use crate::gates::case::Case;
+        pub use crate::gates::control::{Control, ask_for_control};
+        pub use crate::gates::judge::{judge, refuse};
+        pub use crate::gates::order::rule;
+        pub use crate::gates::reference::judge_reference;
+        pub use crate::gates::*;
+    }
+
+    pub mod measure {
+        pub use crate::measure::climb::*;
+        pub use crate::measure::drift::*;
+        pub use crate::measure::flips::*;
+        pub use crate::measure::invariance::*;
+        pub use crate::measure::ladder::*;
+        pub use crate::measure::points::*;
+        pub use crate::measure::reversal::*;
+        pub use crate::measure::symplecticity::*;
+        pub use crate::measure::*;
+        pub mod regression {
+            pub use crate::measure::regression::*;
+        }
+    }
+
+    pub mod model {
+        pub use crate::model::change::Change;
+        pub use crate::model::free::Free;
+        pub use crate::model::system::AnyModel;
+        pub use crate::model::*;
+        pub mod retold {
+            pub use crate::model::retold::*;
+        }
+    }
+
     pub mod reference {
+        pub use crate::reference::stored::{Stored, StoredError};
         pub use crate::reference::*;
         pub mod closed {
             pub use crate::reference::closed::*;
@@ -75,20 +113,6 @@ pub mod internals {
         }
         pub mod stored {
             pub use crate::reference::stored::*;
-        }
-    }
-
-    pub mod measure {
-        pub use crate::measure::*;
-        pub mod regression {
-            pub use crate::measure::regression::*;
-        }
-    }
-
-    pub mod model {
-        pub use crate::model::*;
-        pub mod retold {
-            pub use crate::model::retold::*;
         }
     }
 

@@ -3,7 +3,7 @@
 use std::fs;
 use std::process::{Command, Output, Stdio};
 
-use polhode::reference::Stored;
+use polhode::internals::reference::Stored;
 
 fn polhode(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_polhode"))

@@ -17,7 +17,9 @@ mod vector_form;
 
 use crate::model::{Broken, Model, Pointwise, Turning};
 
-pub use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
+pub use crate::claim::{Claim, EnergyOfFreeBody, When};
+#[doc(no_inline)]
+pub use crate::model::Quantity;
 pub use card::Card;
 
 /// Rates of earlier steps that are kept without a further allocation.
@@ -53,6 +55,7 @@ impl<M: Model> Workspace<M> {
     }
 }
 
+#[doc(hidden)]
 /// Schemes whose step on a free body is also written for many bodies side by side (`ensemble`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SideBySide {
@@ -76,6 +79,7 @@ impl SideBySide {
 pub trait Scheme: 'static {
     /// What it says of itself.
     const CARD: Card;
+    #[doc(hidden)]
     /// Its form for many bodies side by side, if it has one.
     const SIDE_BY_SIDE: Option<SideBySide> = None;
     /// States that a step needs besides those that it goes from and to.
@@ -146,7 +150,7 @@ pub trait PointScheme: 'static {
 }
 
 /// Something to be done with a scheme whose type is known.
-pub trait Visitor {
+pub(crate) trait Visitor {
     /// What comes of it.
     type Output;
     /// Does it with a scheme for every model.
@@ -172,7 +176,7 @@ macro_rules! list {
         $(mod $points_module; pub use $points_module::$points;)*
 
         /// Calls the visitor with every scheme, in the order of the list.
-        pub fn visit_all<V: Visitor>(visitor: &V) -> Vec<V::Output> {
+        pub(crate) fn visit_all<V: Visitor>(visitor: &V) -> Vec<V::Output> {
             vec![
                 $(visitor.visit::<$scheme>(),)*
                 $(visitor.visit_turning::<$turning>(),)*
@@ -185,7 +189,7 @@ macro_rules! list {
 mod adams_bashforth;
 mod substepped;
 
-pub use substepped::Substepped;
+pub(crate) use substepped::Substepped;
 
 /// The schemes that a report and a gate cover unless told otherwise: one or two of each family, and those that
 /// engines use.
