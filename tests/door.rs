@@ -1,5 +1,6 @@
 //! The door: what a user of the crate and of the program meets first.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
@@ -54,4 +55,16 @@ fn every_path_in_the_documents_exists() {
             assert!(root.join(path).exists(), "{document}: {path}");
         }
     }
+}
+
+#[test]
+fn a_crate_that_asserts_an_order_builds_at_most_forty_crates() {
+    let arguments =
+        ["tree", "--no-default-features", "--edges", "normal,build", "--prefix", "none", "--offline"];
+    let mut cargo = std::process::Command::new(env!("CARGO"));
+    let output = cargo.args(arguments).current_dir(env!("CARGO_MANIFEST_DIR")).output().expect("cargo runs");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let text = String::from_utf8(output.stdout).expect("UTF-8");
+    let crates: BTreeSet<&str> = text.lines().map(|line| line.trim_end_matches(" (*)")).collect();
+    assert!(crates.len() > 5 && crates.len() <= 40, "{} crates", crates.len());
 }
