@@ -1,12 +1,15 @@
 //! Polhode: a verification and benchmark harness for rigid-body time-stepping schemes.
 //!
+//! The [`guide`] says how to gate a scheme of your own, how to write a scene and how to read the records; the [`prelude`] has what
+//! that needs. The feature `cli`, on by default, adds the program and [`write_report`]; without it the crate is a library for tests.
+//!
 //! ```text
 //! scene ──► system (body + forces, the least model that the scene needs)
 //!              │
-//! scheme ──► simulate ──► trajectory ──► metrics ──► records (JSON/CSV on disk)
-//!              ▲                            ▲             │
-//!           reference (closed form, ODE) ───┘             ├──► gates ──► verdicts ──► exit code, JUnit
-//!                                                         └──► report ──► PNG, HTML, Markdown
+//! scheme ──► simulate ──► trajectory ──► measure ──► records (JSON, CSV)
+//!              ▲                            ▲           │
+//! engine, log ─┘    reference, at any time ─┘           ├──► gates ──► verdicts ──► exit code, JUnit
+//!                                                       └──► report ──► PNG, HTML, Markdown
 //! ```
 //!
 //! Modules stand in the order of dependency; a test reads their `use` lines and fails on any edge that goes the
@@ -44,7 +47,12 @@ mod report;
 #[cfg(feature = "cli")]
 mod cli;
 
+pub mod prelude;
+pub mod guide;
+
 pub use assertion::{assert_order, assert_order_in, assert_order_in_body_axes};
+#[cfg(feature = "cli")]
+pub use report::{ReportError, write_report};
 
 /// What the program, the benches and the tests of this repository use besides: no promise, it changes without notice.
 #[cfg(feature = "cli")]
@@ -62,7 +70,43 @@ pub mod internals {
 
     rooms!(arithmetic, engine, log, ode, report, rotation, self_test, study);
 
+    pub mod gates {
+        pub use crate::gates::case::Case;
+        pub use crate::gates::control::{Control, ask_for_control};
+        pub use crate::gates::judge::{judge, refuse};
+        pub use crate::gates::order::rule;
+        pub use crate::gates::reference::judge_reference;
+        pub use crate::gates::*;
+    }
+
+    pub mod measure {
+        pub use crate::measure::cause::*;
+        pub use crate::measure::climb::*;
+        pub use crate::measure::drift::*;
+        pub use crate::measure::flips::*;
+        pub use crate::measure::invariance::*;
+        pub use crate::measure::ladder::*;
+        pub use crate::measure::points::*;
+        pub use crate::measure::reversal::*;
+        pub use crate::measure::symplecticity::*;
+        pub use crate::measure::*;
+        pub mod regression {
+            pub use crate::measure::regression::*;
+        }
+    }
+
+    pub mod model {
+        pub use crate::model::change::Change;
+        pub use crate::model::free::Free;
+        pub use crate::model::system::AnyModel;
+        pub use crate::model::*;
+        pub mod retold {
+            pub use crate::model::retold::*;
+        }
+    }
+
     pub mod reference {
+        pub use crate::reference::stored::{Stored, StoredError};
         pub use crate::reference::*;
         pub mod closed {
             pub use crate::reference::closed::*;
@@ -72,20 +116,6 @@ pub mod internals {
         }
         pub mod stored {
             pub use crate::reference::stored::*;
-        }
-    }
-
-    pub mod measure {
-        pub use crate::measure::*;
-        pub mod regression {
-            pub use crate::measure::regression::*;
-        }
-    }
-
-    pub mod model {
-        pub use crate::model::*;
-        pub mod retold {
-            pub use crate::model::retold::*;
         }
     }
 

@@ -70,6 +70,9 @@ fn courses<'a>(scenes: &'a [Scene], contestants: &'a [Contestant]) -> Vec<Timed<
     courses
 }
 
+/// Time that each scheme is timed for in each kind of scene [s].
+pub const SECONDS_A_COST: f64 = 0.25;
+
 /// Times `contestants` in `scenes`, so many seconds a scheme and kind of scene, and puts the costs into the records: a row each,
 /// and the cost of a step into every measurement of theirs. To be called while nothing else runs.
 pub fn add_costs(records: &mut Records, scenes: &[Scene], contestants: &[Contestant], seconds: f64) {

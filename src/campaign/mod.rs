@@ -6,9 +6,12 @@
 mod cell;
 mod controls;
 mod costs;
+#[cfg(feature = "cli")]
+mod peers;
 mod reduction;
 mod rows;
 mod scaling;
+mod survey;
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -22,10 +25,12 @@ use crate::reference::{Reference, ReferenceError, stored};
 use crate::scenes::Scene;
 use crate::simulate::Contestant;
 
-pub use controls::Controls;
-pub use costs::{add_costs, typical_step};
-pub use reduction::add_reductions;
-pub use scaling::add_scaling;
+pub(crate) use controls::Controls;
+pub(crate) use costs::{SECONDS_A_COST, add_costs, typical_step};
+#[cfg(feature = "cli")]
+pub(crate) use peers::add_peers;
+pub use scaling::Sizes;
+pub use survey::{Survey, Task};
 
 /// Samples of a reference over the run.
 const SAMPLES: usize = 64;
@@ -163,7 +168,7 @@ fn judge_reference(prepared: &Prepared) -> Option<Verdict> {
 }
 
 /// The machine that costs are measured on.
-pub fn machine() -> Machine {
+pub(crate) fn machine() -> Machine {
     Machine {
         os: std::env::consts::OS.to_owned(),
         architecture: std::env::consts::ARCH.to_owned(),
@@ -180,7 +185,7 @@ fn processor() -> String {
 }
 
 /// The time, RFC 3339, UTC; empty without the feature `cli`.
-pub fn now() -> String {
+pub(crate) fn now() -> String {
     #[cfg(not(feature = "cli"))]
     return String::new();
     #[cfg(feature = "cli")]

@@ -11,7 +11,7 @@ const SECONDS: f64 = 0.02;
 
 /// Times both forms of the first main scheme, Peskin's, on every scene whose body has points, and puts the ratio of their costs
 /// into the scenes. To be called while nothing else runs.
-pub fn add_reductions(records: &mut Records, scenes: &[Scene]) {
+pub(super) fn add_reductions(records: &mut Records, scenes: &[Scene]) {
     let Some(contestant) = Contestant::main().into_iter().next() else { return };
     let pointed = |scene: &&Scene| {
         let points = &scene.system.body.points;

@@ -29,13 +29,25 @@ const CAMPAIGNS: [usize; 3] = [1, 2, 4];
 const SCHEMES: usize = 2;
 const SCHEMES_IN_FULL: usize = 12;
 
-/// Measures how cost grows and puts it into the records; a full report reaches further. To be called while nothing else runs.
-pub fn add_scaling(records: &mut Records, full: bool) {
+/// The sizes that costs are measured against.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sizes {
+    /// Up to 100,000 mass points, and campaigns of two schemes.
+    Usual,
+    /// Up to 1,000,000 mass points, and campaigns of twelve schemes.
+    Full,
+}
+
+/// Measures how cost grows and puts it into the records. To be called while nothing else runs.
+pub(super) fn add_scaling(records: &mut Records, sizes: Sizes) {
+    let (points, schemes) = match sizes {
+        Sizes::Usual => (MOST_POINTS, SCHEMES),
+        Sizes::Full => (MOST_POINTS_IN_FULL, SCHEMES_IN_FULL),
+    };
     let contestants = Contestant::main();
     if let Some(first) = contestants.first() {
-        records.scaling.extend(with_points(first, if full { MOST_POINTS_IN_FULL } else { MOST_POINTS }));
+        records.scaling.extend(with_points(first, points));
     }
-    let schemes = if full { SCHEMES_IN_FULL } else { SCHEMES };
     records.scaling.extend(with_cells(&contestants[..schemes.min(contestants.len())]));
 }
 

@@ -4,9 +4,8 @@ use clap::{Args, ValueEnum};
 use comfy_table::{ContentArrangement, Table, presets};
 use serde_json::{Value, json};
 
-use super::Failure;
-use super::select;
-use crate::model::Quantity;
+use super::output::print;
+use super::{Failure, select};
 use crate::scenes::Scene;
 use crate::study::advice::{Advice, Answer, Answers, Question, QuestionError, SAMPLES};
 
@@ -52,7 +51,7 @@ is below 0.8 of the tolerance and so is that of the steps below it, down to half
 Exit code: 0 some scheme meets the tolerance, 1 none does, 2 the motion itself is not known well enough to say.";
 
 pub(super) fn advise(options: &Options) -> Result<u8, Failure> {
-    let quantity = quantity(&options.quantity)?;
+    let quantity = select::quantity(&options.quantity)?;
     if !(options.tolerance > 0.0 && options.tolerance.is_finite()) {
         return Err(Failure::Usage(format!(
             "--tolerance {}: expected a number above 0, in {}",
@@ -79,17 +78,8 @@ pub(super) fn advise(options: &Options) -> Result<u8, Failure> {
         Format::Table => in_words(&scene, &question, &answers),
         Format::Json => in_json(&scene, &question, &answers),
     };
-    super::run::print(&text)?;
+    print(&text)?;
     Ok(u8::from(answers.answers.iter().all(|answer| answer.found.is_err())))
-}
-
-/// The quantity of a name.
-pub(super) fn quantity(name: &str) -> Result<Quantity, Failure> {
-    let names = Quantity::ALL.map(Quantity::name);
-    Quantity::ALL.into_iter().find(|quantity| quantity.name() == name).ok_or_else(|| {
-        let meant = select::meant(name, names.into_iter());
-        Failure::Usage(format!("no quantity '{name}'{meant}; quantities: {}", names.join(", ")))
-    })
 }
 
 fn in_words(scene: &Scene, question: &Question, answers: &Answers) -> String {

@@ -3,16 +3,15 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
 
 use super::Failure;
+use super::output::print;
+use super::progress::with_bar;
 use super::select::Selection;
 use crate::campaign::Campaign;
 use crate::gates::{self, Baseline};
 use crate::record::{self, Records};
 use crate::report;
-use crate::scenes::Scene;
-use crate::simulate::Contestant;
 
 /// Options of `polhode gate`.
 #[derive(Args, Clone, Debug, Default)]
@@ -52,55 +51,17 @@ pub(super) fn gate(options: &Options, quiet: bool) -> Result<u8, Failure> {
         Some(path) => Baseline::from_records(&Records::read(path)?),
         None => Baseline::built_in(),
     };
-    let records = measure(&options.selection, false, baseline, false, quiet)?;
+    let grid = Campaign::of(options.selection.scenes()?, options.selection.contestants(false)?);
+    let records = with_bar(quiet, "measuring", |progress| Campaign { baseline, progress, ..grid }.run());
     if let Some(path) = &options.json {
         record::write_json(path, &records)?;
     }
     if let Some(path) = &options.junit {
         record::write_whole(path, report::junit(&records).as_bytes())?;
     }
-    super::run::print(&report::verdict_table(&records, options.verbose))?;
+    print(&report::verdict_table(&records, options.verbose))?;
     if options.github {
-        super::run::print(&report::annotations(&records))?;
+        print(&report::annotations(&records))?;
     }
     Ok(gates::exit_code(&records.verdicts))
-}
-
-/// Measures and judges a selection, with a progress bar on stderr.
-pub(super) fn measure(
-    selection: &Selection,
-    full: bool,
-    baseline: Baseline,
-    series: bool,
-    quiet: bool,
-) -> Result<Records, Failure> {
-    Ok(measure_with(selection.scenes()?, selection.contestants(full)?, baseline, series, quiet))
-}
-
-/// Measures and judges a grid, with a progress bar on stderr.
-pub(super) fn measure_with(
-    scenes: Vec<Scene>,
-    contestants: Vec<Contestant>,
-    baseline: Baseline,
-    series: bool,
-    quiet: bool,
-) -> Records {
-    let bar = progress_bar(quiet, "measuring");
-    let progress = |done: usize, all: usize| {
-        bar.set_length(all as u64);
-        bar.set_position(done as u64);
-    };
-    let records =
-        Campaign { baseline, series, progress: &progress, ..Campaign::of(scenes, contestants) }.run();
-    bar.finish_and_clear();
-    records
-}
-
-/// A bar on stderr with the time left; nothing where stderr is no terminal.
-pub(super) fn progress_bar(quiet: bool, what: &'static str) -> ProgressBar {
-    if quiet {
-        return ProgressBar::hidden();
-    }
-    let style = ProgressStyle::with_template("{prefix} {wide_bar} {pos}/{len}, {eta} left");
-    ProgressBar::new(0).with_prefix(what).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }

@@ -7,6 +7,7 @@ use clap::{Args, ValueEnum};
 use comfy_table::{ContentArrangement, Table, presets};
 
 use super::Failure;
+use super::output::print;
 use crate::log::{self, Convention, Judgement};
 use crate::model::Quantity;
 use crate::record::{self, Records, SCHEMA};
@@ -92,7 +93,7 @@ pub(super) fn judge(options: &Options) -> Result<u8, Failure> {
         };
         record::write_json(path, &records)?;
     }
-    super::run::print(&in_words(&judgement, &scene, &name))?;
+    print(&in_words(&judgement, &scene, &name))?;
     Ok(options.tolerance.map_or(0, |tolerance| ruling(&judgement, options.quantity, tolerance)))
 }
 

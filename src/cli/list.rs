@@ -3,6 +3,7 @@
 use clap::{Args, ValueEnum};
 use comfy_table::{ColumnConstraint, ContentArrangement, Table, TableComponent, Width, presets};
 
+use super::output::print;
 use super::{Failure, select};
 use crate::claim::Claim;
 use crate::measure;
@@ -42,7 +43,7 @@ pub(super) fn list(options: &Options) -> Result<u8, Failure> {
     };
     let note =
         if let What::Schemes = options.what { format!("\n{}\n", select::SUBSTEPS) } else { String::new() };
-    super::run::print(&format!("{table}\n{note}"))?;
+    print(&format!("{table}\n{note}"))?;
     Ok(0)
 }
 

@@ -1,4 +1,6 @@
 //! The command line: one file a subcommand. Data goes to stdout, talk and progress to stderr.
+//!
+//! No file of a subcommand uses the file of another one: what several need stands in `exit`, `output`, `progress` and `select`.
 
 mod advise;
 mod compare;
@@ -7,7 +9,8 @@ mod exit;
 mod gate;
 mod judge;
 mod list;
-mod peers;
+mod output;
+mod progress;
 mod reference;
 mod report;
 mod run;

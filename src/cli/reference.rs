@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use super::output::print;
 use super::{Failure, exit};
 use crate::model::Quantity;
 use crate::ode::SolverError;
@@ -61,7 +62,7 @@ pub(super) fn reference(options: &Options, quiet: bool) -> Result<u8, Failure> {
     if digits == 0 {
         return Err(Failure::Model(format!("{}: no digit of the solution is certain", scene.name)));
     }
-    super::run::print(&text(&scene, &motion, digits))?;
+    print(&text(&scene, &motion, digits))?;
     if let Some(path) = &options.out {
         let stored = Stored::of(&scene.name, &scene.system, &motion, digits);
         let text = stored.text().map_err(|error| Failure::Model(format!("{}: {error}", scene.name)))?;

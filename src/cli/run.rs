@@ -6,8 +6,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use serde_json::json;
 
-use super::Failure;
-use super::select;
+use super::{Failure, select};
 use crate::model::{Snapshot, System};
 use crate::record::WholeFile;
 use crate::scenes::Scene;
@@ -253,13 +252,5 @@ impl StateWriter<'_> {
             )?;
         }
         self.sink.flush()
-    }
-}
-
-/// Writes text to stdout. A reader that has gone away, as `head` does, is no failure.
-pub(super) fn print(text: &str) -> Result<(), Failure> {
-    match io::stdout().lock().write_all(text.as_bytes()) {
-        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
-        other => other.map_err(|source| Failure::Write { name: "stdout".to_owned(), source }),
     }
 }

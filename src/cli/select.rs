@@ -1,9 +1,10 @@
-//! From names on the command line to scenes and schemes.
+//! From names on the command line to scenes, schemes and quantities.
 
 use clap::Args;
 
 use super::Failure;
 use crate::engine::{self, Engine};
+use crate::model::Quantity;
 use crate::scenes::{self, Scene};
 use crate::schemes::Card;
 use crate::simulate::Contestant;
@@ -61,6 +62,15 @@ pub(super) fn named(names: &[String]) -> Result<Vec<Contestant>, Failure> {
         return Ok(Contestant::everyone());
     }
     names.iter().map(|name| contestant(name)).collect()
+}
+
+/// The quantity of a name.
+pub(super) fn quantity(name: &str) -> Result<Quantity, Failure> {
+    let names = Quantity::ALL.map(Quantity::name);
+    Quantity::ALL.into_iter().find(|quantity| quantity.name() == name).ok_or_else(|| {
+        let meant = meant(name, names.into_iter());
+        Failure::Usage(format!("no quantity '{name}'{meant}; quantities: {}", names.join(", ")))
+    })
 }
 
 /// ", did you mean …?" where a known name is near a mistyped one, or nothing.

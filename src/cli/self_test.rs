@@ -6,7 +6,8 @@ use clap::Args;
 use comfy_table::{Table, presets};
 
 use super::Failure;
-use super::gate::progress_bar;
+use super::output::print;
+use super::progress::with_bar;
 use crate::record::Verdict;
 use crate::scenes::random;
 use crate::self_test::{self, Findings, Outcome};
@@ -41,19 +42,14 @@ Exit code: 0 every defect was caught and the faithful copy of the scheme stayed 
 
 pub(super) fn self_test(options: &Options, quiet: bool) -> Result<u8, Failure> {
     if let Some(number) = options.print {
-        super::run::print(&random::text(options.seed, number))?;
+        print(&random::text(options.seed, number))?;
         return Ok(0);
     }
     if let Some(count) = options.random {
         return judge_random_scenes(options.seed, count, quiet);
     }
-    let bar = progress_bar(quiet, "planting");
-    let findings = self_test::run(&|done, all| {
-        bar.set_length(all as u64);
-        bar.set_position(done as u64);
-    });
-    bar.finish_and_clear();
-    super::run::print(&format!("{}\n\n{}", matrix(&findings), summary(&findings)))?;
+    let findings = with_bar(quiet, "planting", |progress| self_test::run(progress));
+    print(&format!("{}\n\n{}", matrix(&findings), summary(&findings)))?;
     Ok(u8::from(!findings.sound()))
 }
 
@@ -108,15 +104,10 @@ const MOST_SHOWN: usize = 50;
 const SCENES_FOR_A_WRONG_ORDER: u64 = 10;
 
 fn judge_random_scenes(seed: u64, count: u64, quiet: bool) -> Result<u8, Failure> {
-    let bar = progress_bar(quiet, "judging");
-    let findings = self_test::random::run(seed, count, &|done, all| {
-        bar.set_length(all as u64);
-        bar.set_position(done as u64);
-    });
-    bar.finish_and_clear();
-    super::run::print(&random_summary(seed, &findings))?;
+    let findings = with_bar(quiet, "judging", |progress| self_test::random::run(seed, count, progress));
+    print(&random_summary(seed, &findings))?;
     let scenes = count.div_ceil(SCENES_FOR_A_WRONG_ORDER);
-    super::run::print(&power_summary(scenes, &self_test::power::run(seed, scenes)))?;
+    print(&power_summary(scenes, &self_test::power::run(seed, scenes)))?;
     Ok(u8::from(!findings.sound()))
 }
 

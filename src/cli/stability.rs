@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::Failure;
-use super::gate::progress_bar;
+use super::output::print;
+use super::progress::with_bar;
 use super::select::Selection;
 use crate::campaign;
 use crate::record;
@@ -86,7 +87,7 @@ pub(super) fn stability(options: &Options, quiet: bool) -> Result<u8, Failure> {
         return Ok(0);
     }
     report::write_stability(&study, &options.out)?;
-    super::run::print(&report::stability_table(&study))?;
+    print(&report::stability_table(&study))?;
     if !quiet {
         eprintln!("polhode: the study is {}", options.out.join("stability.md").display());
     }
@@ -94,11 +95,6 @@ pub(super) fn stability(options: &Options, quiet: bool) -> Result<u8, Failure> {
 }
 
 fn measure(options: &Options, scenes: Vec<Scene>, contestants: Vec<Contestant>, quiet: bool) -> Stability {
-    let bar = progress_bar(quiet, "searching");
-    let progress = |done: usize, all: usize| {
-        bar.set_length(all as u64);
-        bar.set_position(done as u64);
-    };
     let storing = options.store.is_some();
     let of_full = |pair: (u64, u64)| if options.full { pair.1 } else { pair.0 };
     let cells = options.cells.unwrap_or(if options.full { CELLS.1 } else { CELLS.0 });
@@ -116,10 +112,9 @@ fn measure(options: &Options, scenes: Vec<Scene>, contestants: Vec<Contestant>, 
         long_steps,
         scenes,
         contestants,
-        progress: &progress,
-    }
-    .run();
-    bar.finish_and_clear();
+        progress: &|_, _| (),
+    };
+    let study = with_bar(quiet, "searching", |progress| Study { progress, ..study }.run());
     Stability { machine: campaign::machine(), made_at: campaign::now(), ..study }
 }
 

@@ -4,9 +4,8 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
-use super::Failure;
-use super::advise::quantity;
-use super::select;
+use super::output::print;
+use super::{Failure, select};
 use crate::campaign;
 use crate::record;
 use crate::report::heat_map::{HeatMap, Map, Range, Scale};
@@ -91,7 +90,7 @@ pub(super) fn sweep(options: &Options, quiet: bool) -> Result<u8, Failure> {
     let text = csv(&sweep, &rows);
     match &options.out {
         Some(path) => record::write_whole(path, text.as_bytes())?,
-        None => super::run::print(&text)?,
+        None => print(&text)?,
     }
     if let Some(path) = options.plot.clone().or(options.out.as_ref().map(|path| path.with_extension("png"))) {
         let names = contestants.iter().map(|contestant| contestant.card.name).collect();
@@ -123,7 +122,7 @@ fn plan(options: &Options, scene: &Scene) -> Result<Sweep, Failure> {
         text,
         axes,
         step,
-        quantity: quantity(&options.quantity)?,
+        quantity: select::quantity(&options.quantity)?,
         with_errors: options.errors != Errors::Never,
     };
     sweep.with_errors &= options.errors == Errors::Always || sweep.scenes() <= AFFORDABLE;

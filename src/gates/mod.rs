@@ -1,9 +1,10 @@
 //! Judgement: one file a gate, a pure function of what was measured, and the table of known deviations.
 //!
-//! [`judge`] matches on [`Claim`] exhaustively: a claim without a gate does not compile.
+//! `judge` matches on [`Claim`] exhaustively: a claim without a gate does not compile.
 
 mod deviations;
-mod control;
+pub(crate) mod case;
+pub(crate) mod control;
 mod convergence;
 mod energy;
 mod equivariant;
@@ -12,9 +13,10 @@ mod exact;
 mod excuses;
 mod flip_times;
 mod follows_tolerance;
-mod order;
+pub(crate) mod judge;
+pub(crate) mod order;
 mod reduction;
-mod reference;
+pub(crate) mod reference;
 mod reversible;
 mod rigid;
 mod solves;
@@ -23,78 +25,14 @@ mod symplectic;
 mod vertical_momentum;
 
 use crate::claim::{Claim, Quantity, When};
-use crate::measure::{EnergyDrift, Evidence, Flips, OtherWorld, PointRun, Reversal, Symplecticity};
 use crate::model::System;
-use crate::record::stability::LinearLimit;
 use crate::record::{Records, Ruling, Verdict};
-use crate::schemes::Card;
 
-pub use control::{Control, ask_for_control, judge_orders};
-pub use order::rule;
-pub use reference::judge_reference;
-
-/// Everything that was measured on one scheme in one scene.
-pub struct Case<'a> {
-    /// Name of the scene.
-    pub scene: &'a str,
-    /// Why the order gate does not apply, if it does not.
-    pub not_for_order: Option<&'a str>,
-    /// Body, forces and start.
-    pub system: &'a System,
-    /// What the scheme says of itself.
-    pub card: &'a Card,
-    /// The ladder of steps.
-    pub evidence: &'a Evidence,
-    /// Long runs of a free body.
-    pub drift: Option<&'a EnergyDrift>,
-    /// The note as written, beside the least model.
-    pub points: Option<&'a PointRun>,
-    /// Flips of a tumbling body.
-    pub flips: Option<&'a Flips>,
-    /// A run there and back.
-    pub reversal: Option<&'a Reversal>,
-    /// The derivative of a step.
-    pub symplecticity: Option<&'a Symplecticity>,
-    /// The same run in other worlds.
-    pub other_worlds: &'a [OtherWorld],
-    /// Error constants on record.
-    pub baseline: &'a Baseline,
-    /// The limit of stability on record, and as it was measured.
-    pub step_limit: Option<(&'a LinearLimit, &'a LinearLimit)>,
-    /// What the scheme shows in a generic scene, where that was asked for.
-    pub control: Option<&'a Control>,
-    /// Whether the scene is generic: in such a one an order is exactly the claimed one.
-    pub generic: bool,
-}
-
-impl<'a> Case<'a> {
-    /// A ladder and nothing else.
-    pub fn of(
-        scene: &'a str,
-        system: &'a System,
-        card: &'a Card,
-        evidence: &'a Evidence,
-        baseline: &'a Baseline,
-    ) -> Case<'a> {
-        Case {
-            scene,
-            not_for_order: None,
-            system,
-            card,
-            evidence,
-            drift: None,
-            points: None,
-            flips: None,
-            reversal: None,
-            symplecticity: None,
-            other_worlds: &[],
-            baseline,
-            step_limit: None,
-            control: None,
-            generic: false,
-        }
-    }
-}
+pub(crate) use case::Case;
+pub(crate) use control::{Control, ask_for_control, judge_orders};
+pub(crate) use judge::{judge, refuse};
+pub(crate) use order::rule;
+pub(crate) use reference::judge_reference;
 
 /// Error constants on record, by scene, scheme and quantity.
 #[derive(Clone, Debug, Default)]
@@ -136,59 +74,6 @@ const SOLVED_TO: f64 = 1e-12;
 /// What solves to [`SOLVED_TO`] leave by the end of a run, over the roundings of its steps, which a floor counts as √n.
 fn left_by_solves(solves: u64, steps: u64) -> f64 {
     solves as f64 * SOLVED_TO / f64::EPSILON / (steps.max(1) as f64).sqrt()
-}
-
-/// Judges every claim of a scheme in a scene.
-pub fn judge(case: &Case) -> Vec<Verdict> {
-    let mut verdicts = Vec::new();
-    for claim in case.card.claims {
-        match *claim {
-            // Judged by the rule below.
-            Claim::Order(_) if case.evidence.by_rule.is_some() => {}
-            Claim::Order(order) => verdicts.extend(order::judge(case, order_here(case, order))),
-            // Judged in place of the order, in the scenes that it speaks of.
-            Claim::OrderWithoutTorque(_) => {}
-            Claim::FollowsTolerance(power) => verdicts.extend(follows_tolerance::judge(case, power)),
-            Claim::Exact(quantity, when) => verdicts.extend(exact::judge(case, quantity, when)),
-            Claim::Energy(energy) => verdicts.extend(energy::judge(case, energy)),
-            Claim::VerticalMomentum => verdicts.extend(vertical_momentum::judge(case)),
-            Claim::FlipTimes => verdicts.extend(flip_times::judge(case)),
-            Claim::Rigid => verdicts.extend(rigid::judge(case)),
-            Claim::Reversible => verdicts.push(reversible::judge(case)),
-            Claim::Symplectic => verdicts.push(symplectic::judge(case)),
-            Claim::Equivariant => verdicts.extend(equivariant::judge(case)),
-            Claim::Evaluations(count) => verdicts.extend(evaluations::judge(case, count)),
-            Claim::Solves(count) => verdicts.push(solves::judge(case, count)),
-        }
-    }
-    verdicts.extend(case.evidence.by_rule.iter().flat_map(|by_rule| convergence::judge(case, by_rule)));
-    verdicts.extend(reduction::judge(case));
-    verdicts.extend(stability::judge(case));
-    verdicts.extend(judge_without_order(case));
-    deviations::apply(&mut verdicts);
-    verdicts
-}
-
-/// A scheme that claims no order is not judged by its ladder; that its runs broke is said all the same.
-fn judge_without_order(case: &Case) -> Option<Verdict> {
-    let broken = case.evidence.rungs.iter().find_map(|rung| rung.outcome.broken.as_ref())?;
-    (case.card.order() == 0).then(|| ruled(case, "run", "all", Ruling::Broken, broken.to_string()))
-}
-
-/// The verdicts of a scheme that cannot take a scene: every claim not applicable, with the reason.
-pub fn refuse(scene: &str, card: &Card, reason: &str) -> Vec<Verdict> {
-    card.claims
-        .iter()
-        .map(|claim| Verdict {
-            scene: scene.to_owned(),
-            scheme: card.name.to_owned(),
-            claim: claim.name().to_owned(),
-            quantity: "all".to_owned(),
-            verdict: Ruling::NotApplicable,
-            detail: reason.to_owned(),
-            ..Verdict::default()
-        })
-        .collect()
 }
 
 /// Exit code of a gate: 1 where a claim failed or a run broke, 2 where nothing failed but something is

@@ -3,45 +3,46 @@
 //! A metric reads the states of a run and those of its reference at the same times. It returns the value at the
 //! end and the largest over the run; what does not apply to a scene is `None`, never a number.
 
-mod cause;
-mod climb;
+pub(crate) mod cause;
+pub(crate) mod climb;
 mod drawn;
-mod drift;
+pub(crate) mod drift;
 mod energy;
-mod flips;
+pub(crate) mod flips;
 mod giant_steps;
-mod invariance;
+pub(crate) mod invariance;
 mod invariants;
-mod ladder;
+pub(crate) mod ladder;
 mod momentum;
 mod order;
 mod moved_starts;
 mod past_break;
-mod points;
+pub(crate) mod points;
 pub(crate) mod regression;
-mod reversal;
+pub(crate) mod reversal;
 mod rigidity;
 mod rounding;
 mod sightings;
-mod symplecticity;
+pub(crate) mod symplecticity;
 mod tolerance;
 
 use crate::model::{Quantity, Snapshot, System, difference};
 use crate::reference::Reference;
 use crate::simulate::{Contestant, Form, Plan};
 
-pub use cause::{Cause, likeliest_cause};
-pub use climb::climb;
-pub use drift::{Class, EnergyDrift, EnergyRung, energy_drift};
-pub use flips::{FlipFinder, FlipRung, Flips, TrueFlips, flips, true_flips, tumbling_axis};
-pub use invariance::{OtherWorld, other_worlds};
-pub use ladder::{APART, BAND, Evidence, Place, QuantityLadder, Rung};
-pub use order::{Decision, Doubt, Order};
-pub use points::{PointRun, point_run};
-pub use reversal::{Reversal, reversal};
-pub use sightings::ByRule;
-pub use symplecticity::{Symplecticity, symplecticity};
-pub use tolerance::{FEWEST_TOLERANCES, Governed, governed, judged_by_tolerance};
+pub(crate) use cause::Cause;
+pub(crate) use climb::climb;
+pub(crate) use drift::{Class, EnergyDrift, EnergyRung, energy_drift};
+pub(crate) use flips::{FlipFinder, Flips, flips, true_flips, tumbling_axis};
+pub(crate) use invariance::{OtherWorld, other_worlds};
+pub use ladder::Place;
+pub(crate) use ladder::{APART, BAND, Evidence, QuantityLadder, Rung};
+pub(crate) use order::{Decision, Doubt, Order};
+pub(crate) use points::{PointRun, point_run};
+pub(crate) use reversal::{Reversal, reversal};
+pub(crate) use sightings::ByRule;
+pub(crate) use symplecticity::{Symplecticity, symplecticity};
+pub(crate) use tolerance::{FEWEST_TOLERANCES, governed, judged_by_tolerance};
 
 /// A run and its reference at the same times.
 pub struct Sight<'a> {

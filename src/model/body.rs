@@ -20,7 +20,7 @@ use moments::{
 };
 
 /// Above this ratio of moments, I Ω = L no longer determines the spin about the smallest one in f64.
-pub const LARGEST_CONDITION: f64 = 1e12;
+pub(crate) const LARGEST_CONDITION: f64 = 1e12;
 
 /// One mass point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -184,12 +184,12 @@ impl Body {
 }
 
 /// Inertia of mass points about the origin, Σ M (|x|² E − x xᵀ) [kg m²].
-pub fn inertia_of(points: &[MassPoint]) -> Matrix3<f64> {
+pub(crate) fn inertia_of(points: &[MassPoint]) -> Matrix3<f64> {
     points.iter().map(|p| second_moment_inertia(&p.position) * p.mass).sum()
 }
 
 /// |x|² E − x xᵀ [m²].
-pub fn second_moment_inertia(x: &Vector3<f64>) -> Matrix3<f64> {
+pub(crate) fn second_moment_inertia(x: &Vector3<f64>) -> Matrix3<f64> {
     Matrix3::from_diagonal_element(x.norm_squared()) - x * x.transpose()
 }
 

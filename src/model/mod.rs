@@ -5,25 +5,25 @@
 //!
 //! | model | a scene with | keeps | Peskin's steps that remain |
 //! |---|---|---|---|
-//! | [`Free`] | neither force nor torque | orientation | (1) (5) |
-//! | [`Falling`] | uniform gravity only | translation; rotation as if free | (1)–(3) (5)–(7) |
-//! | [`Rotor`] | a pivot, or torques only | orientation and L | (1) (4) (5) (8) |
-//! | [`Forced`] | forces on points | everything | all |
-//! | [`PointCloud`] | `--model points` | every mass point | all, O(K) |
+//! | `Free` | neither force nor torque | orientation | (1) (5) |
+//! | `Falling` | uniform gravity only | translation; rotation as if free | (1)–(3) (5)–(7) |
+//! | `Rotor` | a pivot, or torques only | orientation and L | (1) (4) (5) (8) |
+//! | `Forced` | forces on points | everything | all |
+//! | `PointCloud` | `--model points` | every mass point | all, O(K) |
 
 mod arms;
 pub mod body;
-mod change;
+pub(crate) mod change;
 mod falling;
 mod forced;
 pub mod forces;
-mod free;
+pub(crate) mod free;
 mod placed;
 mod point_cloud;
 pub(crate) mod retold;
 mod rotor;
 mod snapshot;
-mod system;
+pub(crate) mod system;
 mod turning;
 
 use std::ops::{Add, Mul};
@@ -32,15 +32,17 @@ use nalgebra::{Quaternion, Vector3};
 
 use crate::rotation::{self, Rotation};
 
-pub use change::Change;
-pub use falling::Falling;
-pub use forced::{Forced, Motion};
-pub use free::Free;
-pub use placed::Placed;
-pub use point_cloud::PointCloud;
-pub use rotor::Rotor;
+pub(crate) use change::Change;
+pub(crate) use falling::Falling;
+pub(crate) use forced::Forced;
+pub use forced::Motion;
+pub(crate) use free::Free;
+pub(crate) use placed::Placed;
+pub(crate) use point_cloud::PointCloud;
+pub(crate) use rotor::Rotor;
 pub use snapshot::{Quantity, Snapshot, difference};
-pub use system::{AnyModel, Rotational, Spin, Start, System, SystemError};
+pub(crate) use system::AnyModel;
+pub use system::{Rotational, Spin, Start, System, SystemError};
 
 /// A run that cannot go on.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

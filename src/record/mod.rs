@@ -31,7 +31,7 @@ pub use subjects::{ReferenceRow, SceneRow, SchemeRow};
 pub use tables::{write_csv, write_json};
 pub use verdict::{Ruling, Verdict};
 #[cfg(feature = "cli")]
-pub use whole::{WholeFile, write_whole};
+pub(crate) use whole::{WholeFile, write_whole};
 
 /// The schema that [`Records`] follows.
 pub const SCHEMA: &str = "polhode/records/1";

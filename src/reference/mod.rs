@@ -3,11 +3,11 @@
 //!
 //! | source | what it is | good to |
 //! |---|---|---|
-//! | [`precise`] | Taylor series of our own in double-double arithmetic, from touch to touch on the ground | 1e-24 and better, told |
-//! | [`closed`] | closed forms, where the system has one: free and falling bodies, Lagrange's top, a point on springs | a few roundings times 1 + \|Ω\| t |
-//! | [`dop853`](crate::ode::dop853) | differential-equations, order 8 | 1e-14 |
-//! | [`tsit45`](crate::ode::tsit45) | diffsol, order 5 | 1e-13 |
-//! | [`stored`] | 24 to 40 digits at T/4, T/2, 3T/4, T | rounding |
+//! | `precise` | Taylor series of our own in double-double arithmetic, from touch to touch on the ground | 1e-24 and better, told |
+//! | `closed` | closed forms, where the system has one: free and falling bodies, Lagrange's top, a point on springs | a few roundings times 1 + \|Ω\| t |
+//! | `dop853` | differential-equations, order 8 | 1e-14 |
+//! | `tsit45` | diffsol, order 5 | 1e-13 |
+//! | `stored` | 24 to 40 digits at T/4, T/2, 3T/4, T | rounding |
 //!
 //! The first that there is gives the states at every time; all others are held against it, and one that contradicts it
 //! shows in the uncertainty, which travels with every error. The asymmetric closed form shares its functions with the
@@ -28,7 +28,7 @@ use crate::ode::SolverError;
 
 pub use agreement::Reference;
 pub use sources::{Role, Source, Spread};
-pub use stored::{Stored, StoredError};
+pub(crate) use stored::{Stored, StoredError};
 
 /// A reference that cannot be had.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

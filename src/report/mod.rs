@@ -52,12 +52,12 @@ pub enum ReportError {
         why: String,
     },
     /// A page could not be composed.
-    #[error("{}: the page could not be composed: {source}", path.display())]
+    #[error("{}: the page could not be composed: {why}", path.display())]
     Page {
         /// The file that the page was for.
         path: PathBuf,
         /// What the template engine said.
-        source: minijinja::Error,
+        why: String,
     },
 }
 
@@ -70,6 +70,14 @@ impl From<plot::Fault> for DrawingError {
     fn from(plot::Fault(why): plot::Fault) -> DrawingError {
         DrawingError(why)
     }
+}
+
+/// Writes a report of the records into a folder: `index.html`, `report.md`, `plots/*.png`, `records.json` and `records.csv`.
+///
+/// # Errors
+/// A file cannot be written, or a picture or a page cannot be made.
+pub fn write_report(records: &Records, folder: impl AsRef<Path>) -> Result<(), ReportError> {
+    write(records, folder.as_ref(), &|_, _| ())
 }
 
 /// Writes `records.json`, `records.csv`, `report.md`, `index.html` and `plots/*.png` into a folder.
@@ -138,7 +146,7 @@ fn write_page(
     render: impl FnOnce(&mut WholeFile) -> Result<(), minijinja::Error>,
 ) -> Result<(), ReportError> {
     let mut file = WholeFile::begin(path)?;
-    render(&mut file).map_err(|source| ReportError::Page { path: path.into(), source })?;
+    render(&mut file).map_err(|error| ReportError::Page { path: path.into(), why: error.to_string() })?;
     Ok(file.finish()?)
 }
 

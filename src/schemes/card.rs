@@ -18,6 +18,11 @@ pub struct Card {
 }
 
 impl Card {
+    /// A card of a scheme of your own: its name, kebab-case, and what it promises.
+    pub const fn new(name: &'static str, claims: &'static [Claim]) -> Card {
+        Card { name, title: name, family: "of its own", source: "", claims }
+    }
+
     /// What the name of a scheme in equal parts of a step begins with; the number of parts and the scheme's own name follow.
     pub const SUBSTEPPED: &'static str = "substepped-";
 

@@ -69,7 +69,7 @@ impl TurningScheme for GeneralizedAlpha {
         let velocity0 = k0.motion().velocity;
         let true0 = Accelerations::of(model, &k0, &attitude0, &momentum0);
         let a0 = work.history.pop().map_or(true0, Accelerations::remembered); // (5)
-        let before = &mut work.states[0];
+        let [before] = work.buffers();
         let mut a1 = a0;
         to.clone_from(from);
         until_settled(model, || {

@@ -77,9 +77,11 @@ mod course_code_euler;
 
 use crate::model::{Broken, Model, Pointwise, Turning};
 
-pub use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
+pub use crate::claim::{Claim, EnergyOfFreeBody, When};
+#[doc(no_inline)]
+pub use crate::model::Quantity;
 pub use card::Card;
-pub use substepped::Substepped;
+pub(crate) use substepped::Substepped;
 
 /// Rates of earlier steps that are kept without a further allocation.
 const HISTORY: usize = 8;
@@ -105,15 +107,16 @@ impl<M: Model> Workspace<M> {
         self.history.clone_from(&other.history);
     }
 
-    /// The first `N` states, by name in the caller.
+    /// The first `N` states, to be borrowed by name: `let [half] = work.buffers();`. They hold what the last step left in them.
     ///
     /// # Panics
-    /// The scheme declares fewer.
-    fn buffers<const N: usize>(&mut self) -> &mut [M::State; N] {
+    /// The scheme's `STATES` is less than `N`.
+    pub fn buffers<const N: usize>(&mut self) -> &mut [M::State; N] {
         self.states.first_chunk_mut().expect("a scheme declares the states that it uses")
     }
 }
 
+#[doc(hidden)]
 /// Schemes whose step on a free body is also written for many bodies side by side (`ensemble`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SideBySide {
@@ -137,6 +140,7 @@ impl SideBySide {
 pub trait Scheme: 'static {
     /// What it says of itself.
     const CARD: Card;
+    #[doc(hidden)]
     /// Its form for many bodies side by side, if it has one.
     const SIDE_BY_SIDE: Option<SideBySide> = None;
     /// States that a step needs besides those that it goes from and to.
@@ -207,7 +211,7 @@ pub trait PointScheme: 'static {
 }
 
 /// Something to be done with a scheme whose type is known.
-pub trait Visitor {
+pub(crate) trait Visitor {
     /// What comes of it.
     type Output;
     /// Does it with a scheme for every model.
@@ -229,7 +233,7 @@ macro_rules! list {
         $(pub use $points_module::$points;)*
 
         /// Calls the visitor with every scheme, in the order of the list.
-        pub fn visit_all<V: Visitor>(visitor: &V) -> Vec<V::Output> {
+        pub(crate) fn visit_all<V: Visitor>(visitor: &V) -> Vec<V::Output> {
             vec![
                 $(visitor.visit::<$scheme>(),)*
                 $(visitor.visit_turning::<$turning>(),)*

@@ -49,7 +49,7 @@ impl Scheme for PeskinCayley {
         to: &mut M::State,
         work: &mut Workspace<M>,
     ) -> Result<(), Broken> {
-        let half = &mut work.states[0];
+        let [half] = work.buffers();
         let k0 = model.rates(t, from)?.motion();
         model.advance(from, h / 2.0, &by_cayley(k0, h / 2.0), half); // (1)–(4)
         let k1 = model.rates(t + h / 2.0, half)?.motion();

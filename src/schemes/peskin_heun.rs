@@ -44,7 +44,7 @@ impl Scheme for PeskinHeun {
         to: &mut M::State,
         work: &mut Workspace<M>,
     ) -> Result<(), Broken> {
-        let predicted = &mut work.states[0];
+        let [predicted] = work.buffers();
         let k0 = model.rates(t, from)?;
         model.advance(from, h, &k0, predicted); // (1)
         let k1 = model.rates(t + h, predicted)?;

@@ -44,7 +44,7 @@ impl Scheme for PeskinRalston {
         to: &mut M::State,
         work: &mut Workspace<M>,
     ) -> Result<(), Broken> {
-        let later = &mut work.states[0];
+        let [later] = work.buffers();
         let k0 = model.rates(t, from)?;
         model.advance(from, 2.0 / 3.0 * h, &k0, later); // (1)
         let k1 = model.rates(t + 2.0 / 3.0 * h, later)?;

@@ -47,7 +47,7 @@ impl Scheme for PeskinRk2 {
         to: &mut M::State,
         work: &mut Workspace<M>,
     ) -> Result<(), Broken> {
-        let half = &mut work.states[0];
+        let [half] = work.buffers();
         let k0 = model.rates(t, from)?;
         model.advance(from, h / 2.0, &k0, half); // (1)–(4)
         let k1 = model.rates(t + h / 2.0, half)?;

@@ -54,7 +54,7 @@ impl TurningScheme for Rk4Matrix {
         to: &mut M::State,
         work: &mut Workspace<M>,
     ) -> Result<(), Broken> {
-        let stage = &mut work.states[0];
+        let [stage] = work.buffers();
         let a0 = model.attitude(from).to_rotation_matrix().into_inner();
         let turned = |rates: &M::Rates, a: &Matrix3<f64>| model.spin_of(rates).cross_matrix() * a;
         let place = |s: f64, rates: &M::Rates, a: &Matrix3<f64>, into: &mut M::State| {

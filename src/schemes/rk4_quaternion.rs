@@ -54,7 +54,7 @@ impl TurningScheme for Rk4Quaternion {
         to: &mut M::State,
         work: &mut Workspace<M>,
     ) -> Result<(), Broken> {
-        let stage = &mut work.states[0];
+        let [stage] = work.buffers();
         let q0 = model.attitude(from).into_inner();
         let k1 = model.rates(t, from)?;
         let d1 = rate_of(&model.spin_of(&k1), &q0) * (h / 2.0); // (1)

@@ -50,7 +50,7 @@ impl Scheme for Rkmk4 {
         to: &mut M::State,
         work: &mut Workspace<M>,
     ) -> Result<(), Broken> {
-        let stage = &mut work.states[0];
+        let [stage] = work.buffers();
         let k1 = model.rates(t, from)?; // (1)
         model.advance(from, h / 2.0, &k1, stage);
         let k2 = pulled_back(h / 2.0, &k1, &model.rates(t + h / 2.0, stage)?); // (2)

@@ -53,7 +53,7 @@ impl TurningScheme for SimoWong {
         to: &mut M::State,
         work: &mut Workspace<M>,
     ) -> Result<(), Broken> {
-        let before = &mut work.states[0];
+        let [before] = work.buffers();
         let attitude0 = model.attitude(from);
         let k0 = model.rates(t, from)?;
         let mut k1 = k0;

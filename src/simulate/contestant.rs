@@ -23,6 +23,7 @@ impl Form {
     ///
     /// # Errors
     /// The body has no point form.
+    #[doc(hidden)]
     pub fn model(self, system: &System) -> Result<AnyModel, SystemError> {
         match self {
             Form::Least => Ok(system.least()),

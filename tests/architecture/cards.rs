@@ -1,7 +1,8 @@
 //! What a card tells of its claims, and a workspace of its content.
 
 use nalgebra::Vector3;
-use polhode::model::{AnyModel, Free, Model};
+use polhode::internals::model::{AnyModel, Free};
+use polhode::model::Model;
 use polhode::schemes::{Card, Euler, PeskinRk2, Scheme, SideBySide, Workspace};
 use polhode::schemes::{Claim, Quantity, When};
 

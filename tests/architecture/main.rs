@@ -6,6 +6,7 @@ mod common;
 
 mod bibliography;
 mod cards;
+mod door;
 mod lists;
 mod rooms;
 mod sources;

@@ -27,7 +27,7 @@ const ROOMS: [&str; 18] = [
     "study",
 ];
 /// What several rooms share, or a single function for users.
-const HELPERS: [&str; 3] = ["assertion", "interrupt", "ode"];
+const HELPERS: [&str; 5] = ["assertion", "guide", "interrupt", "ode", "prelude"];
 
 /// A room and those it may use.
 const EDGES: &[(&str, &[&str])] = &[
@@ -68,6 +68,7 @@ const EDGES: &[(&str, &[&str])] = &[
         "campaign",
         &[
             "claim",
+            "engine",
             "gates",
             "interrupt",
             "measure",
@@ -123,6 +124,8 @@ const EDGES: &[(&str, &[&str])] = &[
             "study",
         ],
     ),
+    ("prelude", &["assertion", "campaign", "model", "record", "report", "scenes", "schemes", "simulate"]),
+    ("guide", &[]),
 ];
 
 /// A room of `study`, and the other rooms of `study` that it may use.

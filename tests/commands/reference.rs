@@ -3,7 +3,7 @@
 use std::fs;
 use std::process::{Command, Stdio};
 
-use polhode::reference::Stored;
+use polhode::internals::reference::Stored;
 
 use crate::common::program::{code, polhode, scratch, stderr, stdout};
 use crate::common::stored_of;

@@ -1,7 +1,7 @@
 //! A case whose every number is made up: perfect but for what a test changes.
 
-use polhode::gates::{self, Baseline, Case, Control};
-use polhode::measure::{
+use polhode::internals::gates::{self, Baseline, Case, Control};
+use polhode::internals::measure::{
     self, EnergyDrift, Evidence, Flips, OtherWorld, Place, PointRun, QuantityLadder, Reading, Reversal, Rung,
     Symplecticity,
 };

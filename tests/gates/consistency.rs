@@ -1,6 +1,6 @@
 //! Whether runs come to another motion than the truth.
 
-use polhode::measure::APART;
+use polhode::internals::measure::APART;
 use polhode::record::Ruling::{Fail, Inconclusive, NotApplicable, Pass};
 use polhode::record::Verdict;
 use polhode::schemes::{Claim, Quantity};

@@ -1,6 +1,6 @@
 //! What is promised to be exact.
 
-use polhode::measure::{Place, PointRun};
+use polhode::internals::measure::{Place, PointRun};
 use polhode::record::Ruling::{Broken, Fail, Inconclusive, NotApplicable, Pass};
 use polhode::schemes::{Claim, Quantity, When};
 use polhode::simulate::Outcome;

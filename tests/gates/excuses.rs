@@ -1,8 +1,8 @@
 //! What excuses a slope outside the band: undecided then, and never a pass.
 
-use polhode::gates::Control;
+use polhode::internals::gates::Control;
+use polhode::internals::measure::Class;
 use polhode::internals::measure::regression::Fit;
-use polhode::measure::Class;
 use polhode::record::Ruling::{self, Broken, Fail, Inconclusive, Pass};
 use polhode::record::Verdict;
 use polhode::schemes::{Claim, EnergyOfFreeBody, Quantity, When};

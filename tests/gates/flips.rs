@@ -1,6 +1,6 @@
 //! Flips of a tumbling body.
 
-use polhode::measure::{FlipRung, Flips, TrueFlips};
+use polhode::internals::measure::{FlipRung, Flips, TrueFlips};
 use polhode::record::Ruling::{Fail, Inconclusive, NotApplicable, Pass};
 use polhode::schemes::{Claim, Quantity};
 

@@ -6,6 +6,7 @@ mod common;
 
 mod assertion;
 mod case;
+mod causes;
 mod claims;
 mod consistency;
 mod counted;

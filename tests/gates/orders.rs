@@ -1,8 +1,8 @@
 //! Orders and error constants.
 
-use polhode::gates::{self, Baseline};
+use polhode::internals::gates::{self, Baseline};
 use polhode::internals::measure::regression::{Fit, Ladder};
-use polhode::measure::{BAND, Place, QuantityLadder};
+use polhode::internals::measure::{BAND, Place, QuantityLadder};
 use polhode::record::Ruling::{self, Broken, Fail, Inconclusive, NotApplicable, Pass};
 use polhode::record::{Order, Records};
 use polhode::scenes::Scene;

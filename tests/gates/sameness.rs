@@ -1,6 +1,6 @@
 //! Gates that ask whether two runs are the same: there and back, other worlds, mass points, the two-form, the limit on record.
 
-use polhode::measure::{self, OtherWorld, PointRun, Reading, Reversal, Symplecticity};
+use polhode::internals::measure::{self, OtherWorld, PointRun, Reading, Reversal, Symplecticity};
 use polhode::record::Ruling::{Broken, Fail, Inconclusive, NotApplicable, Pass};
 use polhode::record::stability::LinearLimit;
 use polhode::schemes::{Claim, Quantity};

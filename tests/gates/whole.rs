@@ -1,7 +1,7 @@
 //! The verdicts as a whole: refusals, exit codes, runs that broke, and references.
 
 use nalgebra::Vector3;
-use polhode::gates;
+use polhode::internals::gates;
 use polhode::internals::rotation::Rotation;
 use polhode::model::Snapshot;
 use polhode::record::Ruling::{self, Broken, Fail, Inconclusive, NotApplicable, Pass};

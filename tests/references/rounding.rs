@@ -2,10 +2,11 @@
 //! world: the motion is the same, every rounding is another.
 
 use nalgebra::Vector3;
+use polhode::internals::measure::{self, Evidence};
+use polhode::internals::model::Change;
 use polhode::internals::reference::{Reference, stored};
 use polhode::internals::rotation;
-use polhode::measure::{self, Evidence};
-use polhode::model::{Change, Quantity, difference};
+use polhode::model::{Quantity, difference};
 use polhode::scenes::{self, Scene};
 use polhode::simulate::{Contestant, Form, Plan};
 

@@ -5,6 +5,7 @@
 mod common;
 
 mod published;
+mod published_numbers;
 mod synthetic;
 mod texts;
 mod written;

@@ -1,9 +1,9 @@
 //! RATTLE, Omelyan's leapfrog and the generalised-α method: orders under torque, and one step each against another formulation.
 
 use nalgebra::{Matrix3, Vector3};
+use polhode::internals::measure;
 use polhode::internals::reference::{Reference, stored};
 use polhode::internals::rotation;
-use polhode::measure;
 use polhode::model::{Quantity, Snapshot, System};
 use polhode::simulate::{Form, Plan};
 

@@ -1,7 +1,7 @@
 //! The reduced models and the mass points are one scheme: they agree to rounding in every scene.
 
+use polhode::internals::measure;
 use polhode::internals::rotation;
-use polhode::measure;
 use polhode::reference::Reference;
 use polhode::scenes;
 use polhode::simulate::Contestant;

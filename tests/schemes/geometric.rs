@@ -1,12 +1,13 @@
 //! Geometric schemes: orders under torque, known errors, single steps against independent calculations, long runs.
 
 use nalgebra::{Matrix3, Vector3};
+use polhode::internals::measure::{self, Place};
+use polhode::internals::model::AnyModel;
 use polhode::internals::ode::dop853;
 use polhode::internals::reference::stored::{self, Solution};
 use polhode::internals::rotation::free_rotor;
 use polhode::internals::rotation::{self, Rotation};
-use polhode::measure::{self, Place};
-use polhode::model::{AnyModel, Quantity, System};
+use polhode::model::{Quantity, System};
 use polhode::reference::Reference;
 use polhode::scenes::Scene;
 use polhode::simulate::{Form, Plan};

@@ -1,8 +1,8 @@
 //! Figures measured outside this project with independent code, and published figures of peers, against ours.
 
 use nalgebra::Vector3;
+use polhode::internals::measure;
 use polhode::internals::reference::Reference;
-use polhode::measure;
 use polhode::model::{Snapshot, System};
 use polhode::simulate::{Contestant, Form, Plan};
 

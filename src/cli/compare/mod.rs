@@ -14,11 +14,10 @@ use self::cell::Cell;
 use self::row::{Row, Standing};
 use self::side::Side;
 use super::Failure;
-use super::gate::measure_with;
-use super::report::SECONDS_A_COST;
+use super::output::print;
+use super::progress::with_bar;
 use super::select::{self, Selection};
-use crate::campaign;
-use crate::gates::Baseline;
+use crate::campaign::{self, Campaign, SECONDS_A_COST};
 use crate::record::Records;
 
 /// Options of `polhode compare`.
@@ -61,7 +60,7 @@ pub(super) fn compare(options: &Options, quiet: bool) -> Result<u8, Failure> {
     let compared = rows.iter().filter(|row| row.standing.compares()).count();
     let (worse, better) = (count(Standing::Worse), count(Standing::Better));
     let refused = count(Standing::NotApplicable);
-    super::run::print(&format!(
+    print(&format!(
         "{}\n\nA = {}, B = {}: {compared} quantities compared, {better} better, {worse} worse, {} undecided; \
          not applicable in {refused} scene{}\n",
         tables(&rows, a.scheme.is_none()),
@@ -89,8 +88,8 @@ fn sides(options: &Options, quiet: bool) -> Result<(Side, Side), Failure> {
                 contestants.push(select::contestant(&options.b)?);
             }
             let scenes = Selection::of_scenes(options.scenes.clone()).scenes()?;
-            let mut records =
-                measure_with(scenes.clone(), contestants.clone(), Baseline::built_in(), false, quiet);
+            let grid = Campaign::of(scenes.clone(), contestants.clone());
+            let mut records = with_bar(quiet, "measuring", |progress| Campaign { progress, ..grid }.run());
             campaign::add_costs(&mut records, &scenes, &contestants, SECONDS_A_COST);
             Ok((Side::scheme(&options.a, records.clone()), Side::scheme(&options.b, records)))
         }

@@ -25,7 +25,7 @@ pub use gravity_gradient::GravityGradient;
 pub use ground::Ground;
 pub use lorentz::Lorentz;
 pub use per_point::PerPoint;
-pub use pose::{Arms, Cloud, Load, Pose};
+pub(crate) use pose::{Arms, Cloud, Load, Pose};
 pub use spring::{Attachment, Spring};
 pub use torque::{Torque, TorqueAxes};
 

@@ -1,10 +1,13 @@
 //! `polhode engine`: write a minimal engine, hold one against the protocol, and compare some with one another.
 
+mod compare;
+
 use std::path::PathBuf;
 
 use clap::{Args, Subcommand, ValueEnum};
 
-use super::{Failure, peers};
+use super::Failure;
+use super::output::print;
 use crate::engine::{self, Language};
 use crate::record;
 
@@ -43,7 +46,7 @@ enum What {
         command: Vec<String>,
     },
     /// Compare engines with one another and with schemes: errors, costs, and which of them have one rule
-    Compare(peers::Options),
+    Compare(compare::Options),
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -61,12 +64,12 @@ pub(super) fn engine(options: &Options, quiet: bool) -> Result<u8, Failure> {
             let text = language.language().template();
             match out {
                 Some(path) => record::write_whole(path, text.as_bytes())?,
-                None => super::run::print(text)?,
+                None => print(text)?,
             }
             Ok(0)
         }
         What::Check { command } => check(&line(command)),
-        What::Compare(options) => peers::compare(options, quiet),
+        What::Compare(options) => compare::compare(options, quiet),
     }
 }
 
@@ -93,7 +96,7 @@ fn check(command: &str) -> Result<u8, Failure> {
         0 => format!("\nthe engine keeps to the protocol: {} of {0} rules hold\n", findings.len()),
         count => format!("\nthe engine breaks {count} of {} rules\n", findings.len()),
     };
-    super::run::print(&text)?;
+    print(&text)?;
     Ok(u8::from(violations > 0))
 }
 

@@ -68,7 +68,7 @@ fn the_page_of_published_numbers_is_what_the_figures_give() {
     let stored = fs::read(&path).unwrap_or_default();
     assert!(
         stored == page,
-        "make it anew: POLHODE_WRITE_PUBLISHED=1 cargo test --release --test published_numbers"
+        "make it anew: POLHODE_WRITE_PUBLISHED=1 cargo test --release --test report published_numbers"
     );
 }
 

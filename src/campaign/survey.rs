@@ -1,0 +1,145 @@
+//! All that a report shows: a campaign, and what is measured beside it.
+
+use super::reduction::add_reductions;
+use super::scaling::{Sizes, add_scaling};
+use super::{Campaign, SECONDS_A_COST, add_costs};
+use crate::record::Records;
+use crate::scenes::{self, Scene};
+use crate::schemes;
+use crate::simulate::Contestant;
+
+/// Scenes in which every scheme is measured: free, held at a point under gravity, and under springs.
+const EVERY_SCHEME: [&str; 3] = ["free-asymmetric", "heavy-asymmetric-top", "tether-springs"];
+
+/// What a survey covers.
+///
+/// A campaign is the grid alone. A survey adds how foreign programs stand beside one another, what a step costs, what a reduction
+/// saves and, where that is asked for, the schemes beside the main ones and how costs grow.
+pub struct Survey<'a> {
+    /// Scenes, in the order of the report.
+    pub scenes: Vec<Scene>,
+    /// Schemes, in the order of the report.
+    pub contestants: Vec<Contestant>,
+    /// Whether every scheme of the list is measured in three scenes, and all but the main ones stand apart: in rankings and
+    /// tables of verdicts, not in pictures.
+    pub every_scheme: bool,
+    /// The sizes that costs are measured against.
+    pub sizes: Option<Sizes>,
+    /// Whether the numbers that others published are computed again.
+    pub published: bool,
+    /// Called as (task, done, of all) after every piece of work.
+    pub progress: &'a (dyn Fn(Task, usize, usize) + Sync),
+}
+
+/// What a survey is doing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Task {
+    /// Runs schemes in scenes and judges them.
+    Measuring,
+    /// Runs foreign programs and schemes at equal steps.
+    Comparing,
+    /// Times steps, on one thread.
+    Timing,
+}
+
+impl Task {
+    /// The task in one word.
+    pub fn word(self) -> &'static str {
+        match self {
+            Task::Measuring => "measuring",
+            Task::Comparing => "comparing",
+            Task::Timing => "timing",
+        }
+    }
+}
+
+impl Survey<'_> {
+    /// Schemes in scenes and nothing beside them.
+    pub fn of(scenes: Vec<Scene>, contestants: Vec<Contestant>) -> Survey<'static> {
+        Survey {
+            scenes,
+            contestants,
+            every_scheme: false,
+            sizes: None,
+            published: false,
+            progress: &|_, _, _| (),
+        }
+    }
+
+    /// The main schemes in every built-in scene, all schemes in three of them, and how costs grow.
+    pub fn standard() -> Survey<'static> {
+        let grid = Survey::of(scenes::built_in(), Contestant::main());
+        Survey { every_scheme: true, sizes: Some(Sizes::Usual), published: true, ..grid }
+    }
+
+    /// Measures, judges, compares and times, or as much of it as there is time for.
+    ///
+    /// Steps are timed on one thread when all else is done: nothing may run beside a clock. Schemes that stand apart are not timed.
+    pub fn run(&self) -> Records {
+        let grid = Campaign::of(self.scenes.clone(), self.contestants.clone());
+        let mut records = self.measure(Campaign { series: true, ..grid });
+        if self.every_scheme {
+            self.add_every_scheme(&mut records);
+        }
+        self.add_peers(&mut records);
+        self.add_published(&mut records);
+        self.add_times(&mut records);
+        records
+    }
+
+    fn measure(&self, grid: Campaign) -> Records {
+        let progress = |done, all| (self.progress)(Task::Measuring, done, all);
+        Campaign { progress: &progress, ..grid }.run()
+    }
+
+    /// The schemes that the grid does not have, in the scenes of every scheme.
+    fn add_every_scheme(&self, records: &mut Records) {
+        let given = |other: &Contestant| self.contestants.iter().any(|own| own.card.name == other.card.name);
+        let others: Vec<Contestant> = Contestant::everyone().into_iter().filter(|one| !given(one)).collect();
+        if !others.is_empty() {
+            let scenes = EVERY_SCHEME.iter().filter_map(|name| Scene::find(name).ok()).collect();
+            records.take_in(self.measure(Campaign::of(scenes, others)));
+        }
+        for row in &mut records.schemes {
+            row.apart = !schemes::MAIN.contains(&row.name.as_str());
+        }
+    }
+
+    /// Foreign programs are run with the feature `cli`.
+    #[cfg(not(feature = "cli"))]
+    fn add_peers(&self, _: &mut Records) {}
+
+    #[cfg(feature = "cli")]
+    fn add_peers(&self, records: &mut Records) {
+        let progress = |done, all| (self.progress)(Task::Comparing, done, all);
+        super::add_peers(records, &self.scenes, &self.contestants, &progress);
+    }
+
+    /// Published numbers are computed with the feature `cli`.
+    #[cfg(not(feature = "cli"))]
+    fn add_published(&self, _: &mut Records) {}
+
+    /// What was measured is worth more than what is missing: where a published scene cannot be solved the records are not complete.
+    #[cfg(feature = "cli")]
+    fn add_published(&self, records: &mut Records) {
+        if self.published {
+            match crate::study::published::rows() {
+                Ok(rows) => records.published = rows,
+                Err(_) => records.complete = false,
+            }
+        }
+    }
+
+    fn add_times(&self, records: &mut Records) {
+        let tell = |done| (self.progress)(Task::Timing, done, 3);
+        tell(0);
+        add_costs(records, &self.scenes, &self.contestants, SECONDS_A_COST);
+        tell(1);
+        add_reductions(records, &self.scenes);
+        tell(2);
+        if let Some(sizes) = self.sizes {
+            add_scaling(records, sizes);
+        }
+        tell(3);
+    }
+}
