@@ -4,10 +4,10 @@ use super::giant_steps::giant_steps;
 use super::ladder::{APART, BAND, Evidence, Place, QuantityLadder, Rung};
 use super::past_break::goes_on_in;
 use super::rounding::{Adding, Rounding};
-use super::{ALL, Reading, Sight, errors, tolerance};
+use super::{ALL, Reading, Sight, errors, largest, tolerance};
 use crate::measure::regression::Ladder;
 use crate::model::forces::Law;
-use crate::model::{Quantity, Snapshot, System, difference};
+use crate::model::{PerQuantity, Quantity, Snapshot, System};
 use crate::reference::Reference;
 use crate::rotation;
 use crate::simulate::{Contestant, Form, Plan, Trajectory};
@@ -164,11 +164,9 @@ fn steps_of_rung(first: u64, index: usize, order: u32, kink: bool) -> u64 {
 fn tells_where_it_goes(rungs: &[Rung]) -> bool {
     let [.., before, last] = rungs else { return false };
     let whole = |rung: &Rung| rung.outcome.broken.is_none();
-    let Some(place) = Quantity::ALL.iter().position(|quantity| *quantity == Quantity::BodyPoint) else {
-        return true;
-    };
-    let (error, floor) = (last.errors[place].max, last.floors[place].max);
-    whole(before) && whole(last) && (error <= 10.0 * floor || last.moved[place].max >= APART * error)
+    let point = Quantity::BodyPoint;
+    let (error, floor) = (last.errors[point].max, last.floors[point].max);
+    whole(before) && whole(last) && (error <= 10.0 * floor || last.moved[point].max >= APART * error)
 }
 
 /// Whether a finer rung would change nothing: the order holds, the error is at its floor, or the last halving of h has
@@ -194,31 +192,20 @@ fn run_rung(
     system: &System,
     reference: &Reference,
     steps: u64,
-    floors: [Reading; 6],
+    floors: PerQuantity<Reading>,
     before: &[Snapshot],
 ) -> (Rung, Vec<Snapshot>) {
     let plan = plan(reference, steps);
     let Trajectory { states, outcome } = contestant.run(system, Form::Least, &plan);
-    let nothing = Reading { end: f64::NAN, max: f64::NAN };
-    let (mut measured, mut readings) = ([nothing; 6], vec![None; ALL.len()]);
-    let moved = if before.len() == states.len() { apart(system, &states, before) } else { [nothing; 6] };
+    let nothing = PerQuantity::all(Reading::NAN);
+    let (mut measured, mut readings) = (nothing, vec![None; ALL.len()]);
+    let moved = if before.len() == states.len() { largest(system, &states, before) } else { nothing };
     if outcome.broken.is_none() {
         let sight = Sight { system, reference, states: &states };
         measured = errors(&sight);
         readings = ALL.iter().map(|metric| metric.measure(&sight)).collect();
     }
     (Rung { step: plan.step, steps, errors: measured, floors, moved, readings, outcome }, states)
-}
-
-/// How far two runs are apart at the end and at most.
-pub(super) fn apart(system: &System, a: &[Snapshot], b: &[Snapshot]) -> [Reading; 6] {
-    let mut readings = [Reading { end: 0.0, max: 0.0 }; 6];
-    for (a, b) in a.iter().zip(b) {
-        for (reading, value) in readings.iter_mut().zip(difference(&system.body, a, b)) {
-            *reading = Reading { end: value, max: super::larger(reading.max, value) };
-        }
-    }
-    readings
 }
 
 fn plan(reference: &Reference, steps: u64) -> Plan {
@@ -228,13 +215,13 @@ fn plan(reference: &Reference, steps: u64) -> Plan {
 
 fn ladders(rungs: &[Rung], order: u32) -> Vec<QuantityLadder> {
     let mut ladders = Vec::new();
-    for (index, quantity) in Quantity::ALL.into_iter().enumerate() {
+    for quantity in Quantity::ALL {
         for place in Place::ALL {
             let points: Vec<_> = rungs
                 .iter()
-                .map(|r| (r.step, place.of(&r.errors[index]), place.of(&r.floors[index])))
+                .map(|r| (r.step, place.of(&r.errors[quantity]), place.of(&r.floors[quantity])))
                 .collect();
-            let moved: Vec<f64> = rungs.iter().map(|r| place.of(&r.moved[index])).collect();
+            let moved: Vec<f64> = rungs.iter().map(|r| place.of(&r.moved[quantity])).collect();
             let mut ladder = QuantityLadder::of(quantity, place, points, order);
             if is_doubtful(&ladder, &moved, order) {
                 (ladder.ladder, ladder.constant) = (Ladder::Unsettled, None);
@@ -261,9 +248,15 @@ fn is_doubtful(ladder: &QuantityLadder, moved: &[f64], order: u32) -> bool {
 }
 
 /// How large each quantity of a motion is, or how far it can be off at all; a position can be off by anything.
-fn sizes(system: &System, reference: &Reference) -> [f64; 6] {
+fn sizes(system: &System, reference: &Reference) -> PerQuantity<f64> {
     let largest = |value: fn(&Snapshot) -> f64| reference.states.iter().map(value).fold(0.0, f64::max);
     let spin = largest(|s| rotation::length(&s.angular_velocity));
     let momentum = largest(|s| rotation::length(&s.angular_momentum));
-    [f64::INFINITY, f64::INFINITY, 1.0, spin, momentum, system.body.extent()]
+    PerQuantity::of(|quantity| match quantity {
+        Quantity::Position | Quantity::Velocity => f64::INFINITY,
+        Quantity::Orientation => 1.0,
+        Quantity::AngularVelocity => spin,
+        Quantity::AngularMomentum => momentum,
+        Quantity::BodyPoint => system.body.extent(),
+    })
 }
