@@ -52,7 +52,7 @@ pub(super) fn scene(
                 source: source.name.clone(),
                 detail: source.detail.clone(),
                 role: source.role.name().to_owned(),
-                disagreement_rad: source.disagreement.and_then(|d| finite(d[2])),
+                disagreement_rad: source.disagreement.and_then(|d| finite(d[Quantity::Orientation])),
             })
             .collect()
     });
@@ -95,13 +95,13 @@ fn rung_rows(names: &Names, rung: &Rung, nanoseconds_per_step: Option<f64>) -> V
         ..Measurement::default()
     };
     let mut rows = Vec::new();
-    for (index, quantity) in Quantity::ALL.into_iter().enumerate() {
+    for (quantity, errors) in rung.errors.iter() {
         for place in Place::ALL {
             rows.push(Measurement {
                 metric: format!("{}-{}", quantity.name(), place.suffix()),
-                value: finite(place.of(&rung.errors[index])),
+                value: finite(place.of(errors)),
                 unit: quantity.unit().to_owned(),
-                uncertainty: finite(place.of(&rung.floors[index])),
+                uncertainty: finite(place.of(&rung.floors[quantity])),
                 ..common.clone()
             });
         }

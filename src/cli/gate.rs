@@ -22,6 +22,9 @@ pub(super) struct Options {
     /// Records whose error constants must be met to 5 % [default: those on record for the built-in scenes]
     #[arg(long, value_name = "FILE")]
     baseline: Option<PathBuf>,
+    /// Hold every scheme to this order, in the place of what it claims
+    #[arg(long, value_name = "P", value_parser = clap::value_parser!(u32).range(1..=12))]
+    order: Option<u32>,
     /// Write a JUnit report
     #[arg(long, value_name = "FILE")]
     junit: Option<PathBuf>,
@@ -43,15 +46,21 @@ Examples:
   polhode gate --scheme euler --scene kovalevskaya --verbose
   polhode gate --scene my-body.toml --json now.json
   polhode gate --scene my-body.toml --baseline before.json   error constants within 5 %
+  polhode gate --scheme 'engine:python3 my_engine.py' --order 2
 
-Exit code: 0 every claim holds or is a known deviation, 1 one fails, 2 one is undecided.";
+Exit code: 0 every claim holds or is a known deviation, 1 one fails, 2 one is undecided, or
+nothing was judged.";
 
 pub(super) fn gate(options: &Options, quiet: bool) -> Result<u8, Failure> {
     let baseline = match &options.baseline {
         Some(path) => Baseline::from_records(&Records::read(path)?),
         None => Baseline::built_in(),
     };
-    let grid = Campaign::of(options.selection.scenes()?, options.selection.contestants(false)?);
+    let mut contestants = options.selection.contestants(false)?;
+    if let Some(order) = options.order {
+        contestants = contestants.into_iter().map(|contestant| contestant.claiming(order)).collect();
+    }
+    let grid = Campaign::of(options.selection.scenes()?, contestants);
     let records = with_bar(quiet, "measuring", |progress| Campaign { baseline, progress, ..grid }.run());
     if let Some(path) = &options.json {
         record::write_json(path, &records)?;
@@ -59,6 +68,7 @@ pub(super) fn gate(options: &Options, quiet: bool) -> Result<u8, Failure> {
     if let Some(path) = &options.junit {
         record::write_whole(path, report::junit(&records).as_bytes())?;
     }
+    print(&report::elsewhere(&records))?;
     print(&report::verdict_table(&records, options.verbose))?;
     if options.github {
         print(&report::annotations(&records))?;

@@ -9,7 +9,7 @@ use super::reply::{self, Answer, States};
 use super::specimen::{LAWS, scene};
 use super::{EngineError, greet, patience, request, words};
 use crate::model::forces::Law;
-use crate::model::{Broken, System, difference};
+use crate::model::{Broken, Quantity, System, difference};
 use crate::simulate::Plan;
 
 /// One sentence of the protocol, held against an engine.
@@ -155,7 +155,9 @@ impl Inquiry {
         let truth = crate::ode::dop853::solve(free, &[1.0], crate::ode::dop853::TOLERANCE)
             .map_err(|error| error.to_string())?;
         let last = run.states.last().ok_or(Broken::NotFinite.to_string())?;
-        let [position, velocity, orientation, spin, ..] = difference(&free.body, last, &truth.states[0]);
+        let apart = difference(&free.body, last, &truth.states[0]);
+        let [position, velocity] = [apart[Quantity::Position], apart[Quantity::Velocity]];
+        let [orientation, spin] = [apart[Quantity::Orientation], apart[Quantity::AngularVelocity]];
         let seen = format!(
             "after 1 s in 1,000 steps off by {position:.1e} m, {velocity:.1e} m/s, {orientation:.1e} rad, {spin:.1e} rad/s"
         );
@@ -173,7 +175,7 @@ impl Inquiry {
             let (Some(a), Some(b)) = (often.states.get(steps as usize), once.states.last()) else {
                 return Err("there is no state".to_owned());
             };
-            let apart = difference(&free.body, a, b).into_iter().fold(0.0, f64::max);
+            let apart = difference(&free.body, a, b).values().copied().fold(0.0, f64::max);
             if apart.is_nan() || apart > SAME_END {
                 return Err(format!(
                     "with every 1 the state of step {steps} differs by {apart:.1e} from the end of a run of {steps} steps"

@@ -9,7 +9,7 @@
 use rayon::prelude::*;
 
 use crate::interrupt;
-use crate::model::{Snapshot, difference};
+use crate::model::{Quantity, Snapshot, difference};
 use crate::ode::dop853;
 use crate::record::{PeerRow, Twin};
 use crate::rotation;
@@ -133,8 +133,8 @@ impl Stage<'_> {
     fn apart(&self, a: &[Snapshot], b: &[Snapshot]) -> [[f64; 2]; 2] {
         let (mut end, mut largest) = ([0.0; 2], [0.0f64; 2]);
         for (a, b) in a.iter().zip(b) {
-            let [position, _, orientation, ..] = difference(&self.scene.system.body, a, b);
-            end = [position, orientation];
+            let apart = difference(&self.scene.system.body, a, b);
+            end = [apart[Quantity::Position], apart[Quantity::Orientation]];
             largest = std::array::from_fn(|i| largest[i].max(end[i]));
         }
         [end, largest]

@@ -16,12 +16,11 @@ pub(super) fn judge(case: &Case, by_rule: &ByRule) -> Vec<Verdict> {
         return vec![ruled(case, "order", "all", Ruling::Broken, why)];
     }
     let order = super::order_here(case, case.card.order());
-    let judged =
-        Quantity::ALL.into_iter().enumerate().filter(|(_, quantity)| !does_not_turn(case, *quantity));
+    let judged = Quantity::ALL.into_iter().filter(|quantity| !does_not_turn(case, *quantity));
     let mut verdicts: Vec<Verdict> = judged
-        .flat_map(|(index, quantity)| {
-            let start = judge_start(case, quantity, by_rule.start[index], by_rule.allowed[index]);
-            start.into_iter().chain(judge_decision(case, quantity, order, &by_rule.decisions[index]))
+        .flat_map(|quantity| {
+            let start = judge_start(case, quantity, by_rule.start[quantity], by_rule.allowed[quantity]);
+            start.into_iter().chain(judge_decision(case, quantity, order, &by_rule.decisions[quantity]))
         })
         .collect();
     if by_rule.fails() {

@@ -50,15 +50,14 @@ pub(super) fn judge(case: &Case, quantity: Quantity, when: When) -> Vec<Verdict>
 
 /// A body in steady spin, in one step and in a few: exact is exact at every step that can be made.
 fn judge_giant_steps(case: &Case, quantity: Quantity) -> Option<Verdict> {
-    let index = Quantity::ALL.iter().position(|q| *q == quantity)?;
     let name = format!("{}-giant-steps", quantity.name());
     let ratio = |rung: &&Rung| {
-        let (error, floor) = (rung.errors[index].end, rung.floors[index].end);
+        let (error, floor) = (rung.errors[quantity].end, rung.floors[quantity].end);
         if error == 0.0 { 0.0 } else { error / floor }
     };
     let whole = case.evidence.giant_steps.iter().filter(|rung| rung.outcome.broken.is_none());
     let worst = whole.max_by(|a, b| ratio(a).total_cmp(&ratio(b)))?;
-    let (error, bound) = (worst.errors[index].end, 10.0 * worst.floors[index].end);
+    let (error, bound) = (worst.errors[quantity].end, 10.0 * worst.floors[quantity].end);
     let unit = quantity.unit();
     let detail = format!(
         "the whole run in 1 to 7 steps, worst in {}: {error:.2e} {unit}, ten times its floor {bound:.2e} {unit}",

@@ -41,8 +41,8 @@ pub(super) fn judge(case: &Case) -> Vec<Verdict> {
 }
 
 fn judge_convergence(case: &Case, flips: &Flips) -> Verdict {
-    let angle = Quantity::ALL.iter().position(|quantity| *quantity == Quantity::Orientation);
-    let rounding = angle.zip(case.evidence.rungs.last()).map_or(0.0, |(index, rung)| rung.floors[index].max);
+    let finest = case.evidence.rungs.last();
+    let rounding = finest.map_or(0.0, |rung| rung.floors[Quantity::Orientation].max);
     let ladder = flips.ladder(rounding);
     let (step, error, floor) = ladder[ladder.len() - 1];
     let least = f64::from(case.card.order()) - BAND;

@@ -125,9 +125,8 @@ const OPEN: f64 = 1e-3;
 /// What rounding and reference leave open of the orientation over the run [rad], where that is too much to judge a rotation by:
 /// a spin about the middle axis, for long enough, or chaos.
 fn open_angle(case: &Case) -> Option<f64> {
-    let index = Quantity::ALL.iter().position(|quantity| *quantity == Quantity::Orientation)?;
     let finest = case.evidence.rungs.last()?;
-    Some(finest.floors[index].max).filter(|floor| *floor > OPEN)
+    Some(finest.floors[Quantity::Orientation].max).filter(|floor| *floor > OPEN)
 }
 
 /// A verdict without numbers.

@@ -42,13 +42,13 @@ fn judged_ladders<'a>(case: &'a Case) -> Vec<&'a QuantityLadder> {
 /// another ten times better than with the truth, and the second time better than the first, have come to something else; once may
 /// be two errors that happen to be alike.
 fn judge_consistency(case: &Case) -> Option<Verdict> {
-    let index = Quantity::ALL.iter().position(|quantity| *quantity == Quantity::BodyPoint)?;
+    let point = Quantity::BodyPoint;
     let mut sound = case.evidence.rungs.iter().rev().filter(|rung| rung.outcome.broken.is_none());
     let (last, before) = (sound.next()?, sound.next());
-    let (error, floor, moved) = (last.errors[index].max, last.floors[index].max, last.moved[index].max);
-    let moved_before = before.map_or(f64::NAN, |rung| rung.moved[index].max);
+    let (error, floor, moved) = (last.errors[point].max, last.floors[point].max, last.moved[point].max);
+    let moved_before = before.map_or(f64::NAN, |rung| rung.moved[point].max);
     let apart = |moved: f64, error: f64| moved / error;
-    let ratio_before = before.map_or(f64::NAN, |rung| apart(moved_before, rung.errors[index].max));
+    let ratio_before = before.map_or(f64::NAN, |rung| apart(moved_before, rung.errors[point].max));
     let at_floor = error <= 10.0 * floor;
     let ratio = if at_floor { 1.0 } else { apart(moved, error) };
     let (verdict, words) = if at_floor {
@@ -101,8 +101,7 @@ fn judge_broken(case: &Case, ladder: &QuantityLadder, name: &str) -> Verdict {
     if let Some(why) = last.and_then(|last| last.outcome.broken.as_ref()) {
         return broke(case, "order", name, &why.to_string());
     }
-    let index = Quantity::ALL.iter().position(|quantity| *quantity == ladder.quantity);
-    let moved = last.zip(index).map(|(last, index)| ladder.place.of(&last.moved[index]));
+    let moved = last.map(|last| ladder.place.of(&last.moved[ladder.quantity]));
     if moved.is_some_and(f64::is_finite) {
         let detail = "the reference is not finite: there is nothing to compare with";
         return ruled(case, "order", name, Ruling::Inconclusive, detail);

@@ -7,7 +7,7 @@ use super::file::{Log, Part, Row};
 use super::hints::{Orientations, Sums};
 use super::track::Track;
 use super::{Convention, Finding, Value};
-use crate::model::{Quantity, Snapshot, System, difference};
+use crate::model::{PerQuantity, Quantity, Snapshot, System, difference};
 use crate::rotation::{self, Rotation};
 use crate::scenes::Scene;
 
@@ -31,13 +31,13 @@ pub(super) struct Measured {
 /// What is gathered over the rows.
 #[derive(Clone, Copy, Default)]
 struct Gathered {
-    errors: [f64; 6],
+    errors: PerQuantity<f64>,
     drifts: [f64; 3],
     kinetic: f64,
     sums: [Sums; 3],
     orientations: Orientations,
     unit: f64,
-    end: ([f64; 6], [f64; 3]),
+    end: (PerQuantity<f64>, [f64; 3]),
 }
 
 struct Reader<'a> {
@@ -88,19 +88,19 @@ pub(super) fn measure(
 }
 
 fn errors(reader: &Reader, track: Result<&Track, &String>, gathered: &Gathered) -> Vec<Finding> {
-    let finding = |(index, quantity): (usize, Quantity)| Finding {
+    let finding = |quantity: Quantity| Finding {
         name: quantity.name(),
         unit: quantity.unit(),
         value: match track {
             Err(why) => Err(format!("no reference: {why}")),
             Ok(track) => reader.needs(parts_of(quantity)).map(|()| Value {
-                end: gathered.end.0[index],
-                max: gathered.errors[index],
-                uncertainty: track.uncertainty[index],
+                end: gathered.end.0[quantity],
+                max: gathered.errors[quantity],
+                uncertainty: track.uncertainty[quantity],
             }),
         },
     };
-    Quantity::ALL.into_iter().enumerate().map(finding).collect()
+    Quantity::ALL.into_iter().map(finding).collect()
 }
 
 fn parts_of(quantity: Quantity) -> &'static [Part] {
@@ -167,14 +167,13 @@ impl Reader<'_> {
         for (index, row) in rows.iter().enumerate() {
             let truth = self.track.map(|track| track.at(from + index, row.time()));
             let state = self.snapshot(row, truth.as_ref());
-            let mut errors = [0.0; 6];
+            let mut errors = PerQuantity::all(0.0);
             if let Some(truth) = &truth {
                 errors = difference(&self.system.body, &state, truth);
                 gathered.hold(self, row, &state, truth);
             }
             let drifts = self.first.map_or([0.0; 3], |first| gathered.drift(&first, &self.conserved(&state)));
-            gathered.errors = larger(gathered.errors, errors);
-            gathered.drifts = larger(gathered.drifts, drifts);
+            gathered.hold_largest(errors, drifts);
             gathered.end = (errors, drifts);
         }
         gathered
@@ -227,6 +226,11 @@ impl Gathered {
         ]
     }
 
+    fn hold_largest(&mut self, errors: PerQuantity<f64>, drifts: [f64; 3]) {
+        self.errors = self.errors.zip(errors).map(|(largest, error)| larger(largest, error));
+        self.drifts = std::array::from_fn(|index| larger(self.drifts[index], drifts[index]));
+    }
+
     /// Takes a row for the hints.
     fn hold(&mut self, reader: &Reader, row: &Row, state: &Snapshot, truth: &Snapshot) {
         self.sums[0].push(&state.position, &truth.position);
@@ -250,8 +254,7 @@ impl Gathered {
     }
 
     fn joined(mut self, other: &Gathered) -> Gathered {
-        self.errors = larger(self.errors, other.errors);
-        self.drifts = larger(self.drifts, other.drifts);
+        self.hold_largest(other.errors, other.drifts);
         self.kinetic = self.kinetic.max(other.kinetic);
         self.sums.iter_mut().zip(&other.sums).for_each(|(a, b)| a.add(b));
         self.orientations.add(&other.orientations);
@@ -261,6 +264,7 @@ impl Gathered {
     }
 }
 
-fn larger<const N: usize>(a: [f64; N], b: [f64; N]) -> [f64; N] {
-    std::array::from_fn(|i| if b[i].is_nan() { f64::NAN } else { a[i].max(b[i]) })
+/// The larger one; NaN where the second is.
+fn larger(a: f64, b: f64) -> f64 {
+    if b.is_nan() { f64::NAN } else { a.max(b) }
 }

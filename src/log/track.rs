@@ -8,9 +8,9 @@
 
 use nalgebra::{Quaternion, Vector3};
 
-use crate::model::{Snapshot, System, difference};
+use crate::model::{PerQuantity, Quantity, Snapshot, System, difference};
 use crate::ode::dop853;
-use crate::reference::{Reference, ReferenceError, Spread};
+use crate::reference::{Reference, ReferenceError};
 use crate::rotation::{self, Rotation};
 
 /// Most times that are solved for one by one.
@@ -40,7 +40,7 @@ enum Kind {
 pub(super) struct Track {
     kind: Kind,
     /// What it may be wrong by: of the reference and of the interpolation.
-    pub uncertainty: Spread,
+    pub uncertainty: PerQuantity<f64>,
     /// How it was made.
     pub told: String,
 }
@@ -52,7 +52,7 @@ impl Track {
         if last == 0.0 {
             let states = dop853::solve(system, &[0.0], dop853::TOLERANCE)?.states;
             let told = "the start itself".to_owned();
-            return Ok(Track { kind: Kind::Solved(states), uncertainty: [0.0; 6], told });
+            return Ok(Track { kind: Kind::Solved(states), uncertainty: PerQuantity::all(0.0), told });
         }
         // The states below are those of dop853, and so is the uncertainty.
         let reference = Reference::of_solvers(system, last, SAMPLES)?;
@@ -77,11 +77,11 @@ impl Track {
             let nodes: Vec<Numbers> = states.iter().map(numbers).collect();
             let (missed, close) = missed(system, &states, &nodes);
             if close || count >= MOST_NODES {
-                let orientation = missed[2];
-                let uncertainty = reference.largest_uncertainty();
+                let orientation = missed[Quantity::Orientation];
+                let uncertainty = reference.largest_uncertainty().zip(missed);
                 return Ok(Track {
                     kind: Kind::Nodes(nodes, spacing),
-                    uncertainty: std::array::from_fn(|i| uncertainty[i] + missed[i]),
+                    uncertainty: uncertainty.map(|(reference, missed)| reference + missed),
                     told: format!(
                         "dop853 at {count} nodes, between them polynomials of degree 9, good to {orientation:.1e} rad"
                     ),
@@ -100,23 +100,25 @@ impl Track {
 }
 
 /// By how much polynomials through every other node miss the nodes between, and whether that is close enough.
-fn missed(system: &System, states: &[Snapshot], nodes: &[Numbers]) -> (Spread, bool) {
+fn missed(system: &System, states: &[Snapshot], nodes: &[Numbers]) -> (PerQuantity<f64>, bool) {
     let coarse: Vec<Numbers> = nodes.iter().copied().step_by(2).collect();
-    let mut missed = [0.0f64; 6];
-    let mut sizes = [0.0f64; 6];
+    let (mut missed, mut sizes) = (PerQuantity::all(0.0), PerQuantity::all(0.0));
     for (index, state) in states.iter().enumerate() {
-        let lengths = [&state.position, &state.velocity, &state.angular_velocity, &state.angular_momentum]
-            .map(rotation::length);
-        let extent = system.body.extent();
-        let size = [lengths[0] + extent, lengths[1], 1.0, lengths[2], lengths[3], lengths[0] + extent];
-        sizes = std::array::from_fn(|i| sizes[i].max(size[i]));
+        sizes = sizes.max(PerQuantity::of(|quantity| match quantity {
+            Quantity::Position | Quantity::BodyPoint => {
+                rotation::length(&state.position) + system.body.extent()
+            }
+            Quantity::Velocity => rotation::length(&state.velocity),
+            Quantity::Orientation => 1.0,
+            Quantity::AngularVelocity => rotation::length(&state.angular_velocity),
+            Quantity::AngularMomentum => rotation::length(&state.angular_momentum),
+        }));
         if index % 2 == 1 {
             let between = snapshot(state.time, &interpolate(&coarse, index as f64 / 2.0));
-            let apart = difference(&system.body, &between, state);
-            missed = std::array::from_fn(|i| missed[i].max(apart[i]));
+            missed = missed.max(difference(&system.body, &between, state));
         }
     }
-    (missed, (0..6).all(|i| missed[i] <= CLOSE * sizes[i]))
+    (missed, missed.zip(sizes).values().all(|(missed, size)| *missed <= CLOSE * size))
 }
 
 fn numbers(state: &Snapshot) -> Numbers {

@@ -154,8 +154,8 @@ pub fn likeliest_cause(
     let distance = |a: &[Snapshot], b: &[Snapshot]| {
         let mut largest = 0.0f64;
         for (a, b) in a.iter().zip(b) {
-            for (index, apart) in difference(&system.body, a, b).into_iter().enumerate() {
-                let size = if sizes[index] > 0.0 { sizes[index] } else { 1.0 };
+            for (quantity, apart) in difference(&system.body, a, b) {
+                let size = if sizes[quantity] > 0.0 { sizes[quantity] } else { 1.0 };
                 largest = largest.max(apart / size);
             }
         }

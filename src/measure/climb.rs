@@ -7,10 +7,10 @@ use super::order::Decision;
 use super::past_break::goes_on_in;
 use super::rounding::{Adding, Rounding};
 use super::sightings::Sightings;
-use super::{ALL, Reading, Sight, errors, tolerance};
+use super::{ALL, Reading, Sight, errors, largest, tolerance};
 use crate::measure::regression::Ladder;
 use crate::model::forces::Law;
-use crate::model::{Quantity, Snapshot, System, difference};
+use crate::model::{PerQuantity, Quantity, Snapshot, System};
 use crate::reference::Reference;
 use crate::rotation;
 use crate::simulate::{Contestant, Form, Plan, Trajectory};
@@ -35,8 +35,10 @@ const SAMPLES_OF_OWN_STEPS: usize = 4;
 const STANDS: f64 = 0.02;
 /// Slope below which errors hardly fall.
 const FLAT: f64 = 0.5;
-/// Sample times of a program under test: the end, a quarter of the run and a sixteenth are among them.
-const SAMPLES_BY_RULE: usize = 16;
+/// Fewest steps of a run of a program under test.
+const FEWEST_STEPS_BY_RULE: u64 = 4;
+/// Numbers of its sample times: the end, a quarter of the run, a sixteenth and so on are among them.
+const SAMPLES_BY_RULE: [usize; 3] = [64, 16, 4];
 /// Radians turned in a step of its coarsest rung, at most.
 const COARSEST_TURN_BY_RULE: f64 = 1.6;
 /// Rungs of a program under test after which the rule of orders is asked, …
@@ -66,24 +68,29 @@ pub fn climb(
     order: u32,
     settle: bool,
 ) -> Evidence {
+    let by_rule = contestant.has_own_clock();
+    let first_by_rule = first_by_rule(reference);
     let coarser = 2f64.powf(f64::from(order.saturating_sub(2)) / 2.0);
     let samples = match order {
         // Every stored time cuts a step that the solver has chosen.
         _ if contestant.card.tolerance_exponent() > 0 => SAMPLES_OF_OWN_STEPS,
-        _ if contestant.has_own_clock() => SAMPLES_BY_RULE,
+        _ if by_rule => samples_by_rule(first_by_rule),
         HIGH_ORDER.. => FEWEST_SAMPLES,
         _ => reference.times.len() - 1,
     };
     let thinned = reference.thinned((reference.times.len() - 1) / samples);
     let reference = &thinned;
-    let by_rule = contestant.has_own_clock();
-    let coarsest = if by_rule { COARSEST_TURN_BY_RULE } else { COARSEST_TURN * coarser };
+    let coarsest = COARSEST_TURN * coarser;
     let samples = reference.times.len() as u64 - 1;
     let duration = reference.times[reference.times.len() - 1];
     let turned =
         reference.states.iter().map(|s| rotation::length(&s.angular_velocity)).fold(0.0, f64::max) * duration;
-    let mut first = if order < HIGH_ORDER || by_rule { samples } else { 2 * samples };
-    while turned / first as f64 > coarsest && first << FEWEST_RUNGS <= contestant.most_steps() {
+    let mut first = match order {
+        _ if by_rule => first_by_rule,
+        HIGH_ORDER.. => 2 * samples,
+        _ => samples,
+    };
+    while !by_rule && turned / first as f64 > coarsest && first << FEWEST_RUNGS <= contestant.most_steps() {
         first *= 2;
     }
     // The rounding of h turns the forces that read the time as it turns the body.
@@ -147,7 +154,7 @@ pub fn climb(
             if index + 1 >= FEWEST_BY_RULE {
                 let by_rule = sightings.judged(contestant);
                 let open = |decision: &Decision| matches!(decision, Decision::Undecided(_));
-                let done = !by_rule.decisions.iter().any(open);
+                let done = !by_rule.decisions.values().any(open);
                 evidence.by_rule = Some(by_rule);
                 if done || !settle && index + 1 >= MOST_WITHOUT_ORDER {
                     break;
@@ -184,6 +191,23 @@ pub fn climb(
     evidence
 }
 
+/// Steps of the coarsest run of a program under test.
+fn first_by_rule(reference: &Reference) -> u64 {
+    let duration = reference.times.last().copied().unwrap_or_default();
+    let fastest = reference.states.iter().map(|s| rotation::length(&s.angular_velocity)).fold(0.0, f64::max);
+    let mut first = FEWEST_STEPS_BY_RULE;
+    while fastest * duration / first as f64 > COARSEST_TURN_BY_RULE && first < MOST_STEPS_BY_RULE {
+        first *= 2;
+    }
+    first
+}
+
+/// The most sample times that end a step of every run and divide those of the reference.
+fn samples_by_rule(first: u64) -> usize {
+    let fits = |samples: &&usize| first.is_multiple_of(**samples as u64);
+    SAMPLES_BY_RULE.iter().find(fits).copied().unwrap_or(FEWEST_STEPS_BY_RULE as usize)
+}
+
 /// Steps of a rung: halvings of h, and from the fourth order on their middles too, 3/2 and 4/3 times as many by turns. Where a force has
 /// a kink the ends of steps must not be the same from rung to rung: one that lies by chance at the kink makes one error in all of them.
 fn steps_of_rung(first: u64, index: usize, order: u32, kink: bool) -> u64 {
@@ -200,11 +224,9 @@ fn steps_of_rung(first: u64, index: usize, order: u32, kink: bool) -> u64 {
 fn tells_where_it_goes(rungs: &[Rung]) -> bool {
     let [.., before, last] = rungs else { return false };
     let whole = |rung: &Rung| rung.outcome.broken.is_none();
-    let Some(place) = Quantity::ALL.iter().position(|quantity| *quantity == Quantity::BodyPoint) else {
-        return true;
-    };
-    let (error, floor) = (last.errors[place].max, last.floors[place].max);
-    whole(before) && whole(last) && (error <= 10.0 * floor || last.moved[place].max >= APART * error)
+    let point = Quantity::BodyPoint;
+    let (error, floor) = (last.errors[point].max, last.floors[point].max);
+    whole(before) && whole(last) && (error <= 10.0 * floor || last.moved[point].max >= APART * error)
 }
 
 /// Whether a finer rung would change nothing: the order holds, the error is at its floor, or the last halving of h has
@@ -230,31 +252,20 @@ fn run_rung(
     system: &System,
     reference: &Reference,
     steps: u64,
-    floors: [Reading; 6],
+    floors: PerQuantity<Reading>,
     before: &[Snapshot],
 ) -> (Rung, Vec<Snapshot>) {
     let plan = plan(reference, steps);
     let Trajectory { states, outcome } = contestant.run(system, Form::Least, &plan);
-    let nothing = Reading { end: f64::NAN, max: f64::NAN };
-    let (mut measured, mut readings) = ([nothing; 6], vec![None; ALL.len()]);
-    let moved = if before.len() == states.len() { apart(system, &states, before) } else { [nothing; 6] };
+    let nothing = PerQuantity::all(Reading::NAN);
+    let (mut measured, mut readings) = (nothing, vec![None; ALL.len()]);
+    let moved = if before.len() == states.len() { largest(system, &states, before) } else { nothing };
     if outcome.broken.is_none() {
         let sight = Sight { system, reference, states: &states };
         measured = errors(&sight);
         readings = ALL.iter().map(|metric| metric.measure(&sight)).collect();
     }
     (Rung { step: plan.step, steps, errors: measured, floors, moved, readings, outcome }, states)
-}
-
-/// How far two runs are apart at the end and at most.
-pub(super) fn apart(system: &System, a: &[Snapshot], b: &[Snapshot]) -> [Reading; 6] {
-    let mut readings = [Reading { end: 0.0, max: 0.0 }; 6];
-    for (a, b) in a.iter().zip(b) {
-        for (reading, value) in readings.iter_mut().zip(difference(&system.body, a, b)) {
-            *reading = Reading { end: value, max: super::larger(reading.max, value) };
-        }
-    }
-    readings
 }
 
 fn plan(reference: &Reference, steps: u64) -> Plan {
@@ -264,13 +275,13 @@ fn plan(reference: &Reference, steps: u64) -> Plan {
 
 fn ladders(rungs: &[Rung], order: u32) -> Vec<QuantityLadder> {
     let mut ladders = Vec::new();
-    for (index, quantity) in Quantity::ALL.into_iter().enumerate() {
+    for quantity in Quantity::ALL {
         for place in Place::ALL {
             let points: Vec<_> = rungs
                 .iter()
-                .map(|r| (r.step, place.of(&r.errors[index]), place.of(&r.floors[index])))
+                .map(|r| (r.step, place.of(&r.errors[quantity]), place.of(&r.floors[quantity])))
                 .collect();
-            let moved: Vec<f64> = rungs.iter().map(|r| place.of(&r.moved[index])).collect();
+            let moved: Vec<f64> = rungs.iter().map(|r| place.of(&r.moved[quantity])).collect();
             let mut ladder = QuantityLadder::of(quantity, place, points, order);
             if is_doubtful(&ladder, &moved, order) {
                 (ladder.ladder, ladder.constant) = (Ladder::Unsettled, None);

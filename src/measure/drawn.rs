@@ -2,10 +2,9 @@
 
 use nalgebra::Vector3;
 
-use super::Reading;
-use super::climb::apart;
 use super::moved_starts::{DIRECTIONS, shaken_starts};
-use crate::model::{Change, Snapshot, System};
+use super::{Reading, largest};
+use crate::model::{Change, PerQuantity, Snapshot, System};
 use crate::rotation;
 use crate::simulate::{Contestant, Form, Plan};
 
@@ -18,9 +17,9 @@ pub(super) struct Drawn {
     /// Steps of the runs.
     pub steps: u64,
     /// In turned worlds.
-    pub turned: [Reading; 6],
+    pub turned: PerQuantity<Reading>,
     /// Started a few rounding units off.
-    pub shaken: [Reading; 6],
+    pub shaken: PerQuantity<Reading>,
 }
 
 impl Drawn {
@@ -33,7 +32,7 @@ impl Drawn {
         own: &[Snapshot],
     ) -> Drawn {
         if contestant.card.tolerance_exponent() > 0 {
-            let nothing = [Reading { end: 0.0, max: 0.0 }; 6];
+            let nothing = PerQuantity::all(Reading::ZERO);
             return Drawn { steps: plan.steps, turned: nothing, shaken: nothing };
         }
         let run = |system: &System| {
@@ -54,12 +53,12 @@ impl Drawn {
 }
 
 /// How far runs end from `own`, and get from it, at most.
-fn furthest(system: &System, own: &[Snapshot], runs: impl Iterator<Item = Vec<Snapshot>>) -> [Reading; 6] {
-    runs.fold([Reading { end: 0.0, max: 0.0 }; 6], |largest, states| {
-        let by = apart(system, &states, own);
-        std::array::from_fn(|index| Reading {
-            end: largest[index].end.max(by[index].end),
-            max: largest[index].max.max(by[index].max),
-        })
+fn furthest(
+    system: &System,
+    own: &[Snapshot],
+    runs: impl Iterator<Item = Vec<Snapshot>>,
+) -> PerQuantity<Reading> {
+    runs.fold(PerQuantity::all(Reading::ZERO), |furthest, states| {
+        furthest.zip(largest(system, &states, own)).map(|(furthest, by)| furthest.or(by))
     })
 }

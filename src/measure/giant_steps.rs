@@ -3,7 +3,7 @@
 use super::Reading;
 use super::ladder::Rung;
 use super::rounding::{SOLVED_TO, TURNS, floors, rounding_growth, roundings};
-use crate::model::{Change, Snapshot, System, difference};
+use crate::model::{Change, PerQuantity, Quantity, Snapshot, System, difference};
 use crate::reference::Reference;
 use crate::rotation;
 use crate::simulate::{Contestant, Form, Plan, Trajectory};
@@ -25,16 +25,15 @@ pub(super) fn giant_steps(
         let plan = Plan { step: reference.times[last] / steps as f64, steps, every: steps };
         let own = rounding_growth(contestant, system, &reference.states, &plan);
         let Trajectory { states, outcome } = contestant.run(system, Form::Least, &plan);
-        let mut errors = [Reading { end: f64::NAN, max: f64::NAN }; 6];
+        let mut errors = PerQuantity::all(Reading::NAN);
         if let (None, Some(end)) = (&outcome.broken, states.last()) {
             let apart = difference(&system.body, end, &reference.states[last]);
             errors = apart.map(|value| Reading { end: value, max: value });
         }
         let measured = rounding(contestant, system, &plan, states.last());
-        let mut floors = floors(system, reference, &own, roundings(system, steps, turned));
-        for (floor, measured) in floors.iter_mut().zip(measured) {
-            *floor = Reading { end: floor.end.max(measured), max: floor.max.max(measured) };
-        }
+        let floors = floors(system, reference, &own, roundings(system, steps, turned))
+            .zip(measured)
+            .map(|(floor, measured)| floor.or(Reading { end: measured, max: measured }));
         let rung =
             Rung { step: plan.step, steps, errors, floors, moved: errors, readings: Vec::new(), outcome };
         (!rung.is_open(system)).then_some(rung)
@@ -44,8 +43,13 @@ pub(super) fn giant_steps(
 
 /// What rounding does to a run in giant steps: how far it ends from `own` in turned worlds, at most. Nothing where that is too
 /// far for rounding, which then is a defect that the floor must not hide.
-fn rounding(contestant: &Contestant, system: &System, plan: &Plan, own: Option<&Snapshot>) -> [f64; 6] {
-    let mut largest = [0.0; 6];
+fn rounding(
+    contestant: &Contestant,
+    system: &System,
+    plan: &Plan,
+    own: Option<&Snapshot>,
+) -> PerQuantity<f64> {
+    let mut largest = PerQuantity::all(0.0);
     let Some(own) = own else { return largest };
     let spin = rotation::length(&own.angular_velocity);
     let mut whole = 0;
@@ -55,13 +59,16 @@ fn rounding(contestant: &Contestant, system: &System, plan: &Plan, own: Option<&
         let Some(end) = run.states.last().filter(|_| run.outcome.broken.is_none()) else { continue };
         whole += 1;
         let apart = difference(&system.body, &change.undo(end), own);
-        if apart[3] <= NO_ROUNDING * spin && apart[2] <= NO_ROUNDING {
-            largest = std::array::from_fn(|index| largest[index].max(apart[index]));
+        let turns_alike = apart[Quantity::AngularVelocity] <= NO_ROUNDING * spin;
+        if turns_alike && apart[Quantity::Orientation] <= NO_ROUNDING {
+            largest = largest.max(apart);
         }
         // Every world leaves the same of an implicit equation.
         let left = run.outcome.solves as f64 * SOLVED_TO;
-        (largest[2], largest[3]) = (largest[2].max(left), largest[3].max(left * spin));
+        for (quantity, left) in [(Quantity::Orientation, left), (Quantity::AngularVelocity, left * spin)] {
+            largest[quantity] = largest[quantity].max(left);
+        }
     }
     // A step that can be made in no other world is made in this one by chance.
-    if whole == 0 { [f64::INFINITY; 6] } else { largest }
+    if whole == 0 { PerQuantity::all(f64::INFINITY) } else { largest }
 }

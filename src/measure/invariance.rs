@@ -11,7 +11,7 @@ use super::moved_starts::shaken_bodies;
 use super::rounding::{self, Adding, roundings};
 use super::{Place, Rung, SHAKEN, larger, steady_rung};
 use crate::model::body::Shape;
-use crate::model::{Change, Quantity, Snapshot, System, difference, retold};
+use crate::model::{Change, PerQuantity, Quantity, Snapshot, System, difference, retold};
 use crate::rotation;
 use crate::simulate::{Contestant, Form, Plan};
 
@@ -70,10 +70,9 @@ pub fn other_worlds(contestant: &Contestant, system: &System, rungs: &[Rung]) ->
     let rounding = rounding(contestant, system, rung, steps);
     // The points, and what is summed over them, round to something else in every telling.
     let of_points = own_of_points.map(|own| {
-        shaken_bodies(system, &[own], SHAKEN).fold([0.0f64; 6], |largest, shaken| {
+        shaken_bodies(system, &[own], SHAKEN).fold(PerQuantity::all(0.0), |largest, shaken| {
             let Some(end) = run(&shaken, Form::Points, rung.step) else { return largest };
-            let apart = difference(&system.body, &own, &end);
-            std::array::from_fn(|index| largest[index].max(apart[index]))
+            largest.max(difference(&system.body, &own, &end))
         })
     });
     let compared = |world: World| {
@@ -82,7 +81,7 @@ pub fn other_worlds(contestant: &Contestant, system: &System, rungs: &[Rung]) ->
         let other = run(&world.system, world.form, step).map(|end| world.change.undo(&end));
         let mut floors = floors(rung, &rounding, steps, &world);
         if let (Form::Points, Some(of_points)) = (world.form, &of_points) {
-            floors = std::array::from_fn(|index| floors[index].max(of_points[index]));
+            floors = floors.max(*of_points);
         }
         Some(OtherWorld { steps, solves, ..compare(system, &world, own, other.as_ref(), &floors) })
     };
@@ -93,8 +92,8 @@ pub fn other_worlds(contestant: &Contestant, system: &System, rungs: &[Rung]) ->
 /// What roundings become in this very run, of every step and of the inertia at its start: the ladder's floors are those of finer
 /// runs, which may be steadier.
 struct Rounding {
-    of_steps: [f64; 6],
-    of_inertia: [f64; 6],
+    of_steps: PerQuantity<f64>,
+    of_inertia: PerQuantity<f64>,
 }
 
 fn rounding(contestant: &Contestant, system: &System, rung: &Rung, steps: u64) -> Rounding {
@@ -111,7 +110,9 @@ fn rounding(contestant: &Contestant, system: &System, rung: &Rung, steps: u64) -
     let condition = if system.body.shape == Shape::Extended { moments.max() / moments.min() } else { 1.0 };
     let of_inertia = INERTIA_ROUNDING * condition * (1.0 + turned);
     Rounding {
-        of_steps: std::array::from_fn(|index| drawn[index].max.max(growth[index].max * roundings[index])),
+        of_steps: PerQuantity::of(|quantity| {
+            drawn[quantity].max.max(growth[quantity].max * roundings[quantity])
+        }),
         of_inertia: growth.map(|growth| growth.max * of_inertia),
     }
 }
@@ -121,7 +122,7 @@ fn compare(
     world: &World,
     own: &Snapshot,
     other: Option<&Snapshot>,
-    floors: &[f64; 6],
+    floors: &PerQuantity<f64>,
 ) -> OtherWorld {
     let mut row = OtherWorld {
         name: world.name,
@@ -137,9 +138,7 @@ fn compare(
         row.difference = 0.0;
         return row;
     }
-    for ((value, floor), quantity) in
-        difference(&system.body, own, other).into_iter().zip(floors).zip(Quantity::ALL)
-    {
+    for (quantity, (value, floor)) in difference(&system.body, own, other).zip(*floors) {
         let ratio = if value == 0.0 { 0.0 } else { value / floor };
         if row.difference.is_nan() || ratio.is_nan() || ratio > row.of_floor {
             (row.quantity, row.difference) = (quantity, value);
@@ -150,18 +149,18 @@ fn compare(
 }
 
 /// The floors of the run's own ladder, and what larger positions and velocities in the other world round off.
-fn floors(rung: &Rung, rounding: &Rounding, steps: u64, world: &World) -> [f64; 6] {
+fn floors(rung: &Rung, rounding: &Rounding, steps: u64, world: &World) -> PerQuantity<f64> {
     let change = &world.change;
-    let told = if *change == Change::none() { rounding.of_inertia } else { [0.0; 6] };
-    let mut floors: [f64; 6] = std::array::from_fn(|index| {
-        Place::Max.of(&rung.floors[index]).max(rounding.of_steps[index]) + told[index]
+    let told = if *change == Change::none() { rounding.of_inertia } else { PerQuantity::all(0.0) };
+    let mut floors = PerQuantity::of(|quantity| {
+        Place::Max.of(&rung.floors[quantity]).max(rounding.of_steps[quantity]) + told[quantity]
     });
     let per_step = f64::EPSILON * steps as f64;
     let boost = rotation::length(&change.boost);
     let shift = rotation::length(&change.shift) + boost * rung.step * steps as f64;
-    floors[0] += per_step * shift;
-    floors[1] += per_step * boost;
-    floors[5] += per_step * shift;
+    floors[Quantity::Position] += per_step * shift;
+    floors[Quantity::Velocity] += per_step * boost;
+    floors[Quantity::BodyPoint] += per_step * shift;
     floors
 }
 

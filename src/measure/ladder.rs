@@ -2,7 +2,7 @@
 
 use super::{ByRule, FOLLOWS, Reading};
 use crate::measure::regression::{self, Fit, Ladder};
-use crate::model::{Quantity, System};
+use crate::model::{PerQuantity, Quantity, System};
 use crate::rotation;
 use crate::simulate::Outcome;
 
@@ -58,12 +58,12 @@ pub struct Rung {
     pub step: f64,
     /// Steps of a whole run.
     pub steps: u64,
-    /// Errors, in the order of [`Quantity::ALL`]; NaN where the run broke.
-    pub errors: [Reading; 6],
+    /// Errors; NaN where the run broke.
+    pub errors: PerQuantity<Reading>,
     /// Floors of the errors.
-    pub floors: [Reading; 6],
+    pub floors: PerQuantity<Reading>,
     /// How far the run is from the one before it; NaN for the first.
-    pub moved: [Reading; 6],
+    pub moved: PerQuantity<Reading>,
     /// The other metrics, in the order of [`ALL`].
     pub readings: Vec<Option<Reading>>,
     /// Cost and end.
@@ -75,32 +75,29 @@ impl Rung {
     pub fn is_open(&self, system: &System) -> bool {
         let momentum = system.start.orientation.inverse_transform_vector(&system.start.angular_momentum);
         let spin = rotation::length(&(system.body.inverse_inertia() * momentum));
-        Quantity::ALL.iter().zip(&self.floors).any(|(quantity, floor)| match quantity {
-            Quantity::Orientation => floor.max > OPEN_ANGLE,
-            Quantity::AngularVelocity => spin > 0.0 && floor.max > OPEN_ANGLE * spin,
-            _ => false,
-        })
+        let open = |quantity| self.floors[quantity].max;
+        open(Quantity::Orientation) > OPEN_ANGLE
+            || spin > 0.0 && open(Quantity::AngularVelocity) > OPEN_ANGLE * spin
     }
 
     /// Whether rounding and the reference leave more of a body point open than a tenth of the body's size: nobody knows the motion then.
     pub fn is_lost(&self, system: &System) -> bool {
-        let place = Quantity::ALL.iter().position(|quantity| *quantity == Quantity::BodyPoint);
-        place.is_some_and(|index| self.floors[index].max > FOLLOWS * system.body.extent())
+        self.floors[Quantity::BodyPoint].max > FOLLOWS * system.body.extent()
     }
 
     /// Whether the run follows the truth, to a tenth of the body's size.
     pub(super) fn follows(&self, system: &System) -> bool {
-        let place = Quantity::ALL.iter().position(|quantity| *quantity == Quantity::BodyPoint);
-        place.is_some_and(|index| self.errors[index].max <= FOLLOWS * system.body.extent())
+        self.errors[Quantity::BodyPoint].max <= FOLLOWS * system.body.extent()
     }
 
     /// Whether an error stands clear of the floor that `unlike` roundings make and not of its own, or a hundred times clear.
-    pub(super) fn is_clear_by_one_law(&self, unlike: &[Reading; 6]) -> bool {
+    pub(super) fn is_clear_by_one_law(&self, unlike: &PerQuantity<Reading>) -> bool {
         let between = |error: f64, low: f64, high: f64| {
             [CLEAR, SURE].iter().any(|clear| error > clear * low && error <= clear * high)
         };
         self.outcome.broken.is_none()
-            && self.errors.iter().zip(unlike).zip(&self.floors).any(|((error, low), high)| {
+            && self.errors.iter().any(|(quantity, error)| {
+                let (low, high) = (&unlike[quantity], &self.floors[quantity]);
                 between(error.end, low.end, high.end) || between(error.max, low.max, high.max)
             })
     }

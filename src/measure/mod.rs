@@ -26,7 +26,7 @@ mod sightings;
 pub(crate) mod symplecticity;
 mod tolerance;
 
-use crate::model::{Quantity, Snapshot, System, difference};
+use crate::model::{PerQuantity, Quantity, Snapshot, System, difference};
 use crate::reference::Reference;
 use crate::simulate::{Contestant, Form, Plan};
 
@@ -61,6 +61,18 @@ pub struct Reading {
     pub end: f64,
     /// The largest over the run.
     pub max: f64,
+}
+
+impl Reading {
+    /// Nothing at the end and nothing on the way.
+    const ZERO: Reading = Reading { end: 0.0, max: 0.0 };
+    /// What a run that broke reads.
+    const NAN: Reading = Reading { end: f64::NAN, max: f64::NAN };
+
+    /// The larger values of two readings; the other one where one is NaN.
+    fn or(self, other: Reading) -> Reading {
+        Reading { end: self.end.max(other.end), max: self.max.max(other.max) }
+    }
 }
 
 /// One metric.
@@ -98,14 +110,17 @@ pub const ALL: [Metric; 8] = [
     invariants::AXIAL_MOMENTUM,
 ];
 
-/// Errors of the six quantities at every common time, in the order of [`Quantity::ALL`].
-pub fn errors(sight: &Sight) -> [Reading; 6] {
-    let mut readings = [Reading { end: 0.0, max: 0.0 }; 6];
-    for (state, truth) in sight.states.iter().zip(&sight.reference.states) {
-        let apart = difference(&sight.system.body, state, truth);
-        for (reading, value) in readings.iter_mut().zip(apart) {
-            *reading = Reading { end: value, max: larger(reading.max, value) };
-        }
+/// Errors of the quantities over every common time.
+pub fn errors(sight: &Sight) -> PerQuantity<Reading> {
+    largest(sight.system, sight.states, &sight.reference.states)
+}
+
+/// How far two runs are apart at the end and at most.
+fn largest(system: &System, a: &[Snapshot], b: &[Snapshot]) -> PerQuantity<Reading> {
+    let mut readings = PerQuantity::all(Reading::ZERO);
+    for (a, b) in a.iter().zip(b) {
+        let apart = difference(&system.body, a, b);
+        readings = readings.zip(apart).map(|(reading, end)| Reading { end, max: larger(reading.max, end) });
     }
     readings
 }
@@ -151,7 +166,7 @@ fn larger(a: f64, b: f64) -> f64 {
 
 /// Reads a function of each state and its reference over the run.
 fn read(sight: &Sight, value: impl Fn(&Snapshot, &Snapshot) -> Option<f64>) -> Option<Reading> {
-    let mut reading = Reading { end: 0.0, max: 0.0 };
+    let mut reading = Reading::ZERO;
     for (state, truth) in sight.states.iter().zip(&sight.reference.states) {
         let value = value(state, truth)?.abs();
         reading = Reading { end: value, max: larger(reading.max, value) };

@@ -89,7 +89,7 @@ pub struct Order {
     pub rungs: usize,
     /// Step of the finer one [s].
     pub step: f64,
-    /// Its error over hᵖ, extrapolated to h → 0: ‖2^(p+1) e_{k+1} − e_k‖ / h_{k+1}ᵖ, over the square root of the number of sample times.
+    /// Its error over hᵖ, extrapolated to h → 0: ‖2^(p+1) e_{k+1} − e_k‖ / h_kᵖ, over the square root of the number of sample times.
     pub constant: f64,
     /// The latest time that is decided [s].
     pub until: f64,
@@ -218,7 +218,7 @@ impl<'a> Vectors<'a> {
             r,
             rungs: k + 2,
             step,
-            constant: limit / step.powi(order as i32),
+            constant: limit / (2.0 * step).powi(order as i32),
             until,
         })
     }

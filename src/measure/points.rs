@@ -4,7 +4,7 @@
 use super::SHAKEN;
 use super::moved_starts::shaken_bodies;
 use crate::model::forces::Law;
-use crate::model::{Quantity, Snapshot, System, difference};
+use crate::model::{PerQuantity, Quantity, Snapshot, System, difference};
 use crate::rotation;
 use crate::simulate::{Contestant, Form, Outcome, Plan};
 
@@ -51,7 +51,7 @@ pub fn point_run(contestant: &Contestant, system: &System, duration: f64, fastes
     let (mut stretch, mut change): (f64, f64) = (0.0, 0.0);
     for (a, b) in written.states.iter().zip(&least.states) {
         let apart = difference(&system.body, a, b);
-        largest = apart.iter().zip(&scales).map(|(d, scale)| d / scale).fold(largest, super::larger);
+        largest = over(apart, &scales).fold(largest, super::larger);
         stretch = super::larger(stretch, a.stretch);
         change =
             super::larger(change, rotation::length(&(a.angular_momentum - system.start.angular_momentum)));
@@ -81,7 +81,7 @@ fn rounding(
     form: Form,
     plan: &Plan,
     own: &[Snapshot],
-    scales: &[f64; 6],
+    scales: &PerQuantity<f64>,
 ) -> f64 {
     shaken_bodies(system, own, SHAKEN).fold(0.0, |largest, shaken| {
         let states = contestant.run(&shaken, form, plan).states;
@@ -94,15 +94,14 @@ fn furthest(
     system: &System,
     states: impl Iterator<Item = Snapshot>,
     own: &[Snapshot],
-    scales: &[f64; 6],
+    scales: &PerQuantity<f64>,
 ) -> f64 {
-    states
-        .zip(own)
-        .flat_map(|(a, b)| {
-            let apart = difference(&system.body, &a, b);
-            std::array::from_fn::<f64, 6, _>(|index| apart[index] / scales[index])
-        })
-        .fold(0.0, super::larger)
+    states.zip(own).flat_map(|(a, b)| over(difference(&system.body, &a, b), scales)).fold(0.0, super::larger)
+}
+
+/// Each value over its scale.
+fn over(values: PerQuantity<f64>, scales: &PerQuantity<f64>) -> impl Iterator<Item = f64> {
+    values.zip(*scales).into_iter().map(|(_, (value, scale))| value / scale)
 }
 
 /// Σ M_k |X̃_k| |g| [N m]: the size of the torques of gravity that cancel in their sum.
@@ -120,7 +119,7 @@ fn weight_on_arms(system: &System) -> f64 {
 }
 
 /// What each quantity is compared with: its largest value over the run, or the body's own size.
-fn scales(system: &System, states: &[Snapshot]) -> [f64; 6] {
+fn scales(system: &System, states: &[Snapshot]) -> PerQuantity<f64> {
     let largest = |value: fn(&Snapshot) -> f64| states.iter().map(value).fold(0.0, f64::max);
     let extent = system.body.extent();
     let position = largest(|s| rotation::length(&s.position)).max(extent);
@@ -128,7 +127,7 @@ fn scales(system: &System, states: &[Snapshot]) -> [f64; 6] {
     let spin = largest(|s| rotation::length(&s.angular_velocity));
     let speed = largest(|s| rotation::length(&s.velocity)).max(spin * extent);
     let or_one = |scale: f64| if scale > 0.0 { scale } else { 1.0 };
-    Quantity::ALL.map(|quantity| match quantity {
+    PerQuantity::of(|quantity| match quantity {
         Quantity::Position | Quantity::BodyPoint => or_one(position),
         Quantity::Velocity => or_one(speed),
         Quantity::Orientation => 1.0,

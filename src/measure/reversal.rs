@@ -4,7 +4,7 @@
 
 use super::moved_starts::shaken_starts;
 use super::{Rung, SHAKEN, larger, steady_rung};
-use crate::model::{Quantity, Snapshot, System, difference};
+use crate::model::{PerQuantity, Quantity, Snapshot, System, difference};
 use crate::simulate::{Contestant, Form, Plan};
 
 /// Most steps of one way.
@@ -53,14 +53,14 @@ pub fn reversal(contestant: &Contestant, system: &System, rungs: &[Rung]) -> Opt
     // Twice as many steps, and their roundings, as in the run that the ladder's floor belongs to.
     let mut floors = rung.floors.map(|floor| 2.0 * floor.max);
     let off = difference(&system.body, &own.back, &own.start);
-    if off.iter().zip(&floors).any(|(off, floor)| off > floor) {
+    if off.zip(floors).values().any(|(off, floor)| off > floor) {
         // The run itself says better: where its steps amplify a rounding there and again on the way back, no other does.
         let spread = spread(contestant, system, rung.step, steps, &own);
-        floors = std::array::from_fn(|index| floors[index].max(spread[index]));
-        reversal.open = spread[2];
+        floors = floors.max(spread);
+        reversal.open = spread[Quantity::Orientation];
     }
     reversal.of_floor = 0.0;
-    for ((value, floor), quantity) in off.into_iter().zip(floors).zip(Quantity::ALL) {
+    for (quantity, (value, floor)) in off.zip(floors) {
         let ratio = if value == 0.0 { 0.0 } else { value / floor };
         if reversal.distance.is_nan() || ratio.is_nan() || ratio > reversal.of_floor {
             (reversal.quantity, reversal.distance) = (quantity, value);
@@ -92,12 +92,11 @@ fn there_and_back(contestant: &Contestant, system: &System, step: f64, steps: u6
 }
 
 /// How far ways there and back that start a few rounding units off end from `own`, at most.
-fn spread(contestant: &Contestant, system: &System, step: f64, steps: u64, own: &Return) -> [f64; 6] {
-    let mut largest = [0.0f64; 6];
+fn spread(contestant: &Contestant, system: &System, step: f64, steps: u64, own: &Return) -> PerQuantity<f64> {
+    let mut largest = PerQuantity::all(0.0);
     for system in shaken_starts(system, &own.there, SHAKEN) {
         if let Some(other) = there_and_back(contestant, &system, step, steps) {
-            let apart = difference(&system.body, &other.back, &own.back);
-            largest = std::array::from_fn(|index| largest[index].max(apart[index]));
+            largest = largest.max(difference(&system.body, &other.back, &own.back));
         }
     }
     largest

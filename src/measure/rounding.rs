@@ -15,12 +15,11 @@
 
 use nalgebra::Vector3;
 
-use super::Reading;
-use super::climb::apart;
 use super::drawn::Drawn;
 use super::moved_starts::{DIRECTIONS, displaced, reach};
+use super::{Reading, largest};
 use crate::model::body::Shape;
-use crate::model::{Snapshot, System};
+use crate::model::{PerQuantity, Quantity, Snapshot, System};
 use crate::reference::Reference;
 use crate::rotation;
 use crate::simulate::{Contestant, Form, Plan};
@@ -44,11 +43,10 @@ pub(super) const SOLVED_TO: f64 = 1e-12;
 const A_STEP: f64 = 8.0;
 /// Relative difference of two moments below which they are one.
 const ONE_MOMENT: f64 = 1e-9;
-const NOTHING: Reading = Reading { end: 0.0, max: 0.0 };
 
 /// What rounding does to the runs of a scheme in a scene.
 pub(super) struct Rounding {
-    growth: [Reading; 6],
+    growth: PerQuantity<Reading>,
     drawn: Drawn,
     solves_of_step: f64,
 }
@@ -85,27 +83,25 @@ impl Rounding {
         steps: u64,
         turned: f64,
         law: Adding,
-    ) -> [Reading; 6] {
-        let mut floors = floors(system, reference, &self.growth, roundings(system, steps, turned));
-        for (floor, drawn) in floors.iter_mut().zip(self.drawn_at(steps, law)) {
-            *floor = Reading { end: floor.end.max(drawn.end), max: floor.max.max(drawn.max) };
-        }
-        floors
+    ) -> PerQuantity<Reading> {
+        floors(system, reference, &self.growth, roundings(system, steps, turned))
+            .zip(self.drawn_at(steps, law))
+            .map(|(floor, drawn)| floor.or(drawn))
     }
 
     /// How many times larger a relative displacement of the start gets.
-    pub fn growth(&self) -> &[Reading; 6] {
+    pub fn growth(&self) -> &PerQuantity<Reading> {
         &self.growth
     }
 
     /// What rounding does to a run of so many steps, as it was drawn.
-    pub fn drawn_at(&self, steps: u64, law: Adding) -> [Reading; 6] {
+    pub fn drawn_at(&self, steps: u64, law: Adding) -> PerQuantity<Reading> {
         let more = steps as f64 / self.drawn.steps as f64;
         let more = if law == Adding::Alike { more.max(more.sqrt()) } else { more.sqrt() };
         let most = steps as f64 * (A_STEP * f64::EPSILON + self.solves_of_step * SOLVED_TO);
-        std::array::from_fn(|index| {
-            let (turned, shaken) = (&self.drawn.turned[index], &self.drawn.shaken[index]);
-            let growth = &self.growth[index];
+        PerQuantity::of(|quantity| {
+            let (turned, shaken) = (&self.drawn.turned[quantity], &self.drawn.shaken[quantity]);
+            let growth = &self.growth[quantity];
             Reading {
                 end: (more * turned.end).min(most * growth.end).max(more * shaken.end),
                 max: (more * turned.max).min(most * growth.max).max(more * shaken.max),
@@ -130,7 +126,7 @@ pub(super) fn rounding_growth(
     system: &System,
     motion: &[Snapshot],
     plan: &Plan,
-) -> [Reading; 6] {
+) -> PerQuantity<Reading> {
     let own = contestant.run(system, Form::Least, plan).states;
     growth_beside(contestant, system, motion, plan, &own)
 }
@@ -142,22 +138,21 @@ fn growth_beside(
     motion: &[Snapshot],
     plan: &Plan,
     own: &[Snapshot],
-) -> [Reading; 6] {
-    let mut grown = [NOTHING; 6];
+) -> PerQuantity<Reading> {
+    let mut grown = PerQuantity::all(Reading::ZERO);
     for displacement in DISPLACEMENTS {
-        grown = [NOTHING; 6];
-        let mut largest: f64 = 0.0;
+        grown = PerQuantity::all(Reading::ZERO);
+        let mut furthest: f64 = 0.0;
         for direction in 0..DIRECTIONS {
             let displaced = displaced(system, motion, direction, displacement);
             let moved = contestant.run(&displaced, Form::Least, plan);
-            let by = apart(system, &moved.states, own);
-            largest = largest.max(by[2].max).max(by[0].max / reach(system, motion));
-            for (reading, by) in grown.iter_mut().zip(by) {
-                reading.end = reading.end.max(by.end / displacement);
-                reading.max = reading.max.max(by.max / displacement);
-            }
+            let by = largest(system, &moved.states, own);
+            let (turned, shifted) = (by[Quantity::Orientation].max, by[Quantity::Position].max);
+            furthest = furthest.max(turned).max(shifted / reach(system, motion));
+            let growth = by.map(|by| Reading { end: by.end / displacement, max: by.max / displacement });
+            grown = grown.zip(growth).map(|(grown, growth)| grown.or(growth));
         }
-        if largest < SATURATED {
+        if furthest < SATURATED {
             break;
         }
     }
@@ -167,14 +162,18 @@ fn growth_beside(
 /// What the roundings of `steps` steps over `turned` radians, of the body and of the forces' own clock, add up to, relative, for each
 /// quantity. In a steady spin the part of
 /// L across its axis is one more of them: the start is as steady as its numbers.
-pub(super) fn roundings(system: &System, steps: u64, turned: f64) -> [f64; 6] {
+pub(super) fn roundings(system: &System, steps: u64, turned: f64) -> PerQuantity<f64> {
     let steps = steps as f64;
     let add = |alike: bool| f64::EPSILON * (if alike { steps } else { steps.sqrt() } + 0.5 * turned);
     let (constant_force, _) = system.constant_force();
     let steady = system.steady_spin();
     let across = if steady { across_the_axis(system) } else { 0.0 };
     let (translation, rotation) = (add(constant_force), add(steady) + across);
-    [translation, translation, rotation, rotation, rotation, translation.max(rotation)]
+    PerQuantity::of(|quantity| match quantity {
+        Quantity::Position | Quantity::Velocity => translation,
+        Quantity::Orientation | Quantity::AngularVelocity | Quantity::AngularMomentum => rotation,
+        Quantity::BodyPoint => translation.max(rotation),
+    })
 }
 
 /// Part of L across the principal axis that it is nearest to, over |L|; along axes of the same moment is not across.
@@ -195,17 +194,17 @@ fn across_the_axis(system: &System) -> f64 {
 
 /// A rounding unit of the largest that each quantity is over the run. Of what has come to rest nothing finer can be asked: an
 /// implicit equation, for one, is solved to a part of the state that it is solved in.
-fn units(system: &System, reference: &Reference) -> [f64; 6] {
+fn units(system: &System, reference: &Reference) -> PerQuantity<f64> {
     let largest = |value: fn(&Snapshot) -> f64| reference.states.iter().map(value).fold(0.0, super::larger);
     let position = largest(|s| rotation::length(&s.position));
-    let sizes = [
-        position,
-        largest(|s| rotation::length(&s.velocity)),
-        1.0,
-        largest(|s| rotation::length(&s.angular_velocity)),
-        largest(|s| rotation::length(&s.angular_momentum)),
-        position + system.body.extent(),
-    ];
+    let sizes = PerQuantity::of(|quantity| match quantity {
+        Quantity::Position => position,
+        Quantity::Velocity => largest(|s| rotation::length(&s.velocity)),
+        Quantity::Orientation => 1.0,
+        Quantity::AngularVelocity => largest(|s| rotation::length(&s.angular_velocity)),
+        Quantity::AngularMomentum => largest(|s| rotation::length(&s.angular_momentum)),
+        Quantity::BodyPoint => position + system.body.extent(),
+    });
     sizes.map(|size| if size.is_finite() { f64::EPSILON * size } else { 0.0 })
 }
 
@@ -216,24 +215,27 @@ fn units(system: &System, reference: &Reference) -> [f64; 6] {
 pub(super) fn floors(
     system: &System,
     reference: &Reference,
-    growth: &[Reading; 6],
-    roundings: [f64; 6],
-) -> [Reading; 6] {
+    growth: &PerQuantity<Reading>,
+    roundings: PerQuantity<f64>,
+) -> PerQuantity<Reading> {
     let last = reference.uncertainty[reference.uncertainty.len() - 1];
     let mut floors = *growth;
     let size = 2.0 * system.body.extent();
     let of_point = |place: fn(&Reading) -> f64| {
-        let of_parts = place(&growth[0]) * roundings[0] + size * place(&growth[2]) * roundings[2];
-        of_parts.min(place(&growth[5]) * roundings[5]) / roundings[5]
+        let left = |quantity| place(&growth[quantity]) * roundings[quantity];
+        let growth_of_turn = size * place(&growth[Quantity::Orientation]);
+        let of_parts = left(Quantity::Position) + growth_of_turn * roundings[Quantity::Orientation];
+        of_parts.min(left(Quantity::BodyPoint)) / roundings[Quantity::BodyPoint]
     };
-    floors[5] = Reading { end: of_point(|reading| reading.end), max: of_point(|reading| reading.max) };
+    floors[Quantity::BodyPoint] =
+        Reading { end: of_point(|reading| reading.end), max: of_point(|reading| reading.max) };
     let units = units(system, reference);
-    for (index, floor) in floors.iter_mut().enumerate() {
-        let largest = reference.uncertainty.iter().map(|u| u[index]).fold(0.0, f64::max);
-        *floor = Reading {
-            end: (floor.end * roundings[index]).max(last[index]).max(units[index]),
-            max: (floor.max * roundings[index]).max(largest).max(units[index]),
-        };
-    }
-    floors
+    PerQuantity::of(|quantity| {
+        let (floor, rounding, unit) = (floors[quantity], roundings[quantity], units[quantity]);
+        let largest = reference.uncertainty.iter().map(|u| u[quantity]).fold(0.0, f64::max);
+        Reading {
+            end: (floor.end * rounding).max(last[quantity]).max(unit),
+            max: (floor.max * rounding).max(largest).max(unit),
+        }
+    })
 }

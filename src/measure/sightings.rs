@@ -12,7 +12,7 @@ use super::cause::Cause;
 use super::moved_starts::displaced;
 use super::order::{Asked, CLEAR, Decision, Sighting, decide};
 use crate::model::body::{Body, Shape};
-use crate::model::{Quantity, Snapshot, System, difference};
+use crate::model::{PerQuantity, Quantity, Snapshot, System, difference};
 use crate::reference::Reference;
 use crate::rotation;
 use crate::simulate::{Contestant, Form, Plan, Program, Trajectory};
@@ -23,19 +23,18 @@ const COPIES: usize = 3;
 const OFF: f64 = 4.0;
 /// Digits from which on nothing of a double is lost.
 const ALL_DIGITS: usize = 16;
-const COUNT: usize = Quantity::ALL.len();
 
 /// What the rule of orders says of a program under test.
 #[derive(Clone, Debug)]
 pub struct ByRule {
     /// Of each quantity.
-    pub decisions: [Decision; COUNT],
+    pub decisions: PerQuantity<Decision>,
     /// How far the first state is from the start of the scene, at most.
-    pub start: [f64; COUNT],
+    pub start: PerQuantity<f64>,
     /// What the digits of the program allow it to be.
-    pub allowed: [f64; COUNT],
+    pub allowed: PerQuantity<f64>,
     /// Size of each quantity over the motion.
-    pub sizes: [f64; COUNT],
+    pub sizes: PerQuantity<f64>,
     /// What explains a run that converges to another motion.
     pub cause: Option<Cause>,
 }
@@ -44,7 +43,8 @@ impl ByRule {
     /// Whether the program starts or ends elsewhere in any quantity.
     pub fn fails(&self) -> bool {
         let elsewhere = |decision: &Decision| matches!(decision, Decision::Elsewhere { .. });
-        self.decisions.iter().any(elsewhere) || self.start.iter().zip(&self.allowed).any(|(a, b)| a > b)
+        self.decisions.values().any(elsewhere)
+            || self.start.iter().any(|(quantity, apart)| *apart > self.allowed[quantity])
     }
 }
 
@@ -52,21 +52,21 @@ impl ByRule {
 #[derive(Clone, Debug)]
 pub(super) struct Sightings {
     times: Vec<f64>,
-    runs: [Vec<Sighting>; COUNT],
-    scales: [f64; COUNT],
-    uncertainty: [f64; COUNT],
+    runs: PerQuantity<Vec<Sighting>>,
+    scales: PerQuantity<f64>,
+    uncertainty: PerQuantity<f64>,
     unit: f64,
     /// Largest difference of a first state from the start of the scene.
-    start: [f64; COUNT],
+    start: PerQuantity<f64>,
 }
 
 impl Sightings {
     /// None yet, of a motion whose first sample, its start, is left out.
     pub fn new(system: &System, reference: &Reference) -> Sightings {
-        let runs = std::array::from_fn(|_| Vec::new());
+        let runs = PerQuantity::of(|_| Vec::new());
         let uncertainty = reference.largest_uncertainty();
         let (scales, times) = (scales(system, &reference.states), reference.times[1..].to_vec());
-        Sightings { times, runs, scales, uncertainty, unit: 0.0, start: [0.0; COUNT] }
+        Sightings { times, runs, scales, uncertainty, unit: 0.0, start: PerQuantity::of(|_| 0.0) }
     }
 
     /// Takes in a run of a plan, with its copies.
@@ -81,13 +81,13 @@ impl Sightings {
         self.unit = told.relative;
         if let (Some(first), Some(truth)) = (states.first(), reference.states.first()) {
             let apart = difference(&system.body, first, truth);
-            self.start = std::array::from_fn(|index| self.start[index].max(apart[index]));
+            self.start = PerQuantity::of(|quantity| self.start[quantity].max(apart[quantity]));
         }
         let copies: Vec<Trajectory> = (0..COPIES)
             .map(|way| displaced(system, &reference.states, way, OFF * told.arithmetic))
             .map(|start| contestant.run(&start, Form::Least, plan))
             .collect();
-        for (index, quantity) in Quantity::ALL.into_iter().enumerate() {
+        for quantity in Quantity::ALL {
             let between = |a: &[Snapshot], b: &[Snapshot]| -> Vec<f64> {
                 let pairs = a.iter().zip(b).skip(1);
                 pairs.flat_map(|(a, b)| vector(&system.body, quantity, a, b)).collect()
@@ -101,7 +101,7 @@ impl Sightings {
                     *largest = largest.max(apart.iter().map(|x| x * x).sum::<f64>().sqrt());
                 }
             }
-            self.runs[index].push(Sighting { step: plan.step, steps: plan.steps, errors, rounding });
+            self.runs[quantity].push(Sighting { step: plan.step, steps: plan.steps, errors, rounding });
         }
     }
 
@@ -112,14 +112,14 @@ impl Sightings {
         ByRule { decisions: self.decisions(), start: self.start, allowed, sizes: self.scales, cause: None }
     }
 
-    fn decisions(&self) -> [Decision; COUNT] {
-        std::array::from_fn(|index| {
+    fn decisions(&self) -> PerQuantity<Decision> {
+        PerQuantity::of(|quantity| {
             decide(&Asked {
-                runs: &self.runs[index],
+                runs: &self.runs[quantity],
                 times: &self.times,
-                scale: self.scales[index],
+                scale: self.scales[quantity],
                 unit: self.unit,
-                uncertainty: self.uncertainty[index],
+                uncertainty: self.uncertainty[quantity],
             })
         })
     }
@@ -151,12 +151,12 @@ fn vector(body: &Body, quantity: Quantity, a: &Snapshot, b: &Snapshot) -> Vec<f6
 }
 
 /// Size of each quantity over the motion.
-pub(super) fn scales(system: &System, motion: &[Snapshot]) -> [f64; COUNT] {
+pub(super) fn scales(system: &System, motion: &[Snapshot]) -> PerQuantity<f64> {
     let largest = |value: fn(&Snapshot) -> f64| motion.iter().map(value).fold(0.0, f64::max);
     let (position, spin) =
         (largest(|s| rotation::length(&s.position)), largest(|s| rotation::length(&s.angular_velocity)));
     let extent = system.body.extent();
-    Quantity::ALL.map(|quantity| match quantity {
+    PerQuantity::of(|quantity| match quantity {
         Quantity::Position | Quantity::BodyPoint => position + extent,
         Quantity::Velocity => {
             largest(|s| rotation::length(&s.velocity)) + spin * rotation::length(&system.body.center)

@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use super::PerQuantity;
 use super::body::{Body, Shape};
 use crate::rotation::{self, Rotation};
 
@@ -76,12 +77,12 @@ impl Quantity {
     }
 }
 
-/// How far two moments of one body are apart, in the order of [`Quantity::ALL`] and in its units.
+/// How far two moments of one body are apart, each quantity in its unit.
 ///
 /// Lengths are Euclidean. For a rod the orientation is the angle between its directions, for a single point it
 /// is 0. The body-point difference is the largest over the mass points, or over the ends of the principal
 /// radii of gyration where the body has none.
-pub fn difference(body: &Body, a: &Snapshot, b: &Snapshot) -> [f64; 6] {
+pub fn difference(body: &Body, a: &Snapshot, b: &Snapshot) -> PerQuantity<f64> {
     let orientation = match body.shape {
         Shape::Point => 0.0,
         Shape::Rod { direction } => {
@@ -89,14 +90,14 @@ pub fn difference(body: &Body, a: &Snapshot, b: &Snapshot) -> [f64; 6] {
         }
         Shape::Extended => rotation::angle_between(&a.orientation, &b.orientation),
     };
-    [
-        rotation::length(&(a.position - b.position)),
-        rotation::length(&(a.velocity - b.velocity)),
-        orientation,
-        rotation::length(&(a.angular_velocity - b.angular_velocity)),
-        rotation::length(&(a.angular_momentum - b.angular_momentum)),
-        body_point_difference(body, a, b),
-    ]
+    PerQuantity::of(|quantity| match quantity {
+        Quantity::Position => rotation::length(&(a.position - b.position)),
+        Quantity::Velocity => rotation::length(&(a.velocity - b.velocity)),
+        Quantity::Orientation => orientation,
+        Quantity::AngularVelocity => rotation::length(&(a.angular_velocity - b.angular_velocity)),
+        Quantity::AngularMomentum => rotation::length(&(a.angular_momentum - b.angular_momentum)),
+        Quantity::BodyPoint => body_point_difference(body, a, b),
+    })
 }
 
 /// Largest distance between the places of a body point in two moments [m].

@@ -14,10 +14,10 @@ use nalgebra::Vector3;
 use super::ReferenceError;
 #[cfg(feature = "solvers")]
 use super::best::by_solvers;
-use super::best::{Best, gather, larger};
-use super::sources::{Role, Source, Spread};
+use super::best::{Best, gather};
+use super::sources::{Role, Source};
 use super::stored::{Solution, Stored};
-use crate::model::{Quantity, Snapshot, System, difference};
+use crate::model::{PerQuantity, Quantity, Snapshot, System, difference};
 use crate::rotation;
 
 /// Rounding of a result, over its size: a few operations.
@@ -34,7 +34,7 @@ pub struct Reference {
     /// Best estimate at each time.
     pub states: Vec<Snapshot>,
     /// Uncertainty at each time.
-    pub uncertainty: Vec<Spread>,
+    pub uncertainty: Vec<PerQuantity<f64>>,
     /// What it rests on.
     pub sources: Vec<Source>,
 }
@@ -74,7 +74,7 @@ impl Reference {
     fn of_best(system: &System, times: Vec<f64>, best: Best) -> Reference {
         let Best { states, mut uncertainty, sources } = best;
         for (uncertainty, state) in uncertainty.iter_mut().zip(&states) {
-            *uncertainty = larger(*uncertainty, &rounding(system, state));
+            *uncertainty = uncertainty.max(rounding(system, state));
         }
         Reference { times, states, uncertainty, sources }
     }
@@ -90,8 +90,8 @@ impl Reference {
     }
 
     /// Largest uncertainty over the run.
-    pub fn largest_uncertainty(&self) -> Spread {
-        self.uncertainty.iter().fold([0.0; 6], larger)
+    pub fn largest_uncertainty(&self) -> PerQuantity<f64> {
+        largest(self.uncertainty.iter().copied())
     }
 
     fn hold_against(&mut self, system: &System, stored: &Stored) -> Result<(), ReferenceError> {
@@ -108,7 +108,7 @@ impl Reference {
         if let Some((_, apart)) = differences.last() {
             self.widen(next..self.times.len(), apart);
         }
-        let largest = differences.iter().map(|(_, apart)| apart).fold([0.0; 6], larger);
+        let largest = largest(differences.iter().map(|(_, apart)| *apart));
         self.sources.push(Source {
             name: "stored".to_owned(),
             detail: format!(
@@ -125,9 +125,9 @@ impl Reference {
         Ok(())
     }
 
-    fn widen(&mut self, range: std::ops::Range<usize>, apart: &Spread) {
+    fn widen(&mut self, range: std::ops::Range<usize>, apart: &PerQuantity<f64>) {
         for uncertainty in self.uncertainty.get_mut(range).unwrap_or_default() {
-            *uncertainty = larger(*uncertainty, apart);
+            *uncertainty = uncertainty.max(*apart);
         }
     }
 
@@ -137,7 +137,7 @@ impl Reference {
         system: &System,
         stored: &Stored,
         states: &[Snapshot],
-    ) -> Result<Vec<(usize, Spread)>, ReferenceError> {
+    ) -> Result<Vec<(usize, PerQuantity<f64>)>, ReferenceError> {
         let mut differences = Vec::new();
         for state in states {
             let Some(index) = self.index_of(state.time) else { continue };
@@ -156,13 +156,14 @@ impl Reference {
         system: &System,
         stored: &Stored,
         spins: &[(f64, Vector3<f64>)],
-    ) -> Result<Vec<(usize, Spread)>, ReferenceError> {
+    ) -> Result<Vec<(usize, PerQuantity<f64>)>, ReferenceError> {
         let mut differences = Vec::new();
         for (time, spin) in spins {
             let Some(index) = self.index_of(*time) else { continue };
             let state = &self.states[index];
             let body_spin = state.orientation.inverse_transform_vector(&state.angular_velocity);
-            let apart = [0.0, 0.0, 0.0, rotation::length(&(body_spin - spin)), 0.0, 0.0];
+            let mut apart = PerQuantity::all(0.0);
+            apart[Quantity::AngularVelocity] = rotation::length(&(body_spin - spin));
             self.same_system(stored, index, &apart, &rounding(system, state))?;
             differences.push((index, apart));
         }
@@ -178,18 +179,19 @@ impl Reference {
         &self,
         stored: &Stored,
         index: usize,
-        apart: &Spread,
-        rounding: &Spread,
+        apart: &PerQuantity<f64>,
+        rounding: &PerQuantity<f64>,
     ) -> Result<(), ReferenceError> {
-        for (i, quantity) in Quantity::ALL.into_iter().enumerate() {
-            let bound = (rounding[i] * (OTHER_SYSTEM / ROUNDING)).max(1e3 * self.uncertainty[index][i]);
-            if apart[i] > bound {
+        for (quantity, apart) in *apart {
+            let known = 1e3 * self.uncertainty[index][quantity];
+            let bound = (rounding[quantity] * (OTHER_SYSTEM / ROUNDING)).max(known);
+            if apart > bound {
                 return Err(ReferenceError::OtherSystem {
                     scene: stored.scene.clone(),
                     time: self.times[index],
                     quantity: quantity.name(),
                     unit: quantity.unit(),
-                    difference: apart[i],
+                    difference: apart,
                     bound,
                 });
             }
@@ -205,18 +207,24 @@ fn grid(duration: f64, samples: usize) -> Result<Vec<f64>, ReferenceError> {
     Ok((0..=samples).map(|j| j as f64 * duration / samples as f64).collect())
 }
 
+/// The largest of each quantity.
+fn largest(values: impl Iterator<Item = PerQuantity<f64>>) -> PerQuantity<f64> {
+    values.fold(PerQuantity::all(0.0), PerQuantity::max)
+}
+
 /// What the rounding of a state makes of each quantity.
-fn rounding(system: &System, state: &Snapshot) -> Spread {
+fn rounding(system: &System, state: &Snapshot) -> PerQuantity<f64> {
     let spin = rotation::length(&state.angular_velocity);
     let position = rotation::length(&state.position);
-    let sizes = [
-        position + rotation::length(&system.body.center),
+    let arm = rotation::length(&system.body.center);
+    let sizes = PerQuantity::of(|quantity| match quantity {
+        Quantity::Position => position + arm,
         // With a pivot it is Ω × arm, which may be small where both are not.
-        rotation::length(&state.velocity) + spin * rotation::length(&system.body.center),
-        1.0,
-        spin,
-        rotation::length(&state.angular_momentum),
-        position + system.body.extent(),
-    ];
+        Quantity::Velocity => rotation::length(&state.velocity) + spin * arm,
+        Quantity::Orientation => 1.0,
+        Quantity::AngularVelocity => spin,
+        Quantity::AngularMomentum => rotation::length(&state.angular_momentum),
+        Quantity::BodyPoint => position + system.body.extent(),
+    });
     sizes.map(|size| ROUNDING * size)
 }

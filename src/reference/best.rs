@@ -18,8 +18,8 @@ use super::nudge::{DIRECTIONS, nudged_matrix};
 use super::precise::{self, AFFORDABLE, Motion};
 #[cfg(feature = "solvers")]
 use super::solvers::{Pair, two_solutions};
-use super::sources::{Role, Source, Spread};
-use crate::model::{Snapshot, System, difference};
+use super::sources::{Role, Source};
+use crate::model::{PerQuantity, Snapshot, System, difference};
 #[cfg(feature = "solvers")]
 use crate::ode::{dop853, run::Run};
 
@@ -42,7 +42,7 @@ const NUDGED: usize = 2;
 /// The best estimate at each time, its uncertainty without the rounding of the numbers, and all sources.
 pub(super) struct Best {
     pub states: Vec<Snapshot>,
-    pub uncertainty: Vec<Spread>,
+    pub uncertainty: Vec<PerQuantity<f64>>,
     pub sources: Vec<Source>,
 }
 
@@ -50,7 +50,7 @@ pub(super) struct Best {
 pub(super) fn gather(
     system: &System,
     times: &[f64],
-    rounding: &dyn Fn(&Snapshot) -> Spread,
+    rounding: &dyn Fn(&Snapshot) -> PerQuantity<f64>,
 ) -> Result<Best, ReferenceError> {
     let taylor = precise::solve(system, times, AFFORDABLE);
     #[cfg(feature = "solvers")]
@@ -92,7 +92,7 @@ pub(super) fn gather(
 pub(super) fn by_solvers(
     system: &System,
     times: &[f64],
-    rounding: &dyn Fn(&Snapshot) -> Spread,
+    rounding: &dyn Fn(&Snapshot) -> PerQuantity<f64>,
 ) -> Result<Best, ReferenceError> {
     let pair = two_solutions(system, times)?;
     let mut best = of_solvers(system, times, &pair);
@@ -128,25 +128,21 @@ fn of_solvers(system: &System, times: &[f64], pair: &Pair) -> Best {
         .iter()
         .filter_map(|signs| dop853::solve(&nudged_matrix(system, signs), times, dop853::TOLERANCE).ok())
         .collect();
-    let mut largest = [0.0; 6];
+    let mut largest = PerQuantity::all(0.0);
     let uncertainty = pair.best.states.iter().enumerate().map(|(j, state)| {
         let spread = difference(&system.body, state, &pair.second.states[j]);
-        largest = larger(largest, &spread.map(|x| SPREAD * x));
+        largest = largest.max(spread.map(|x| SPREAD * x));
         for other in &others {
-            largest = larger(largest, &difference(&system.body, state, &other.states[j]));
+            largest = largest.max(difference(&system.body, state, &other.states[j]));
         }
         largest
     });
     Best { uncertainty: uncertainty.collect(), states: pair.best.states.clone(), sources: Vec::new() }
 }
 
-pub(super) fn larger(a: Spread, b: &Spread) -> Spread {
-    std::array::from_fn(|i| a[i].max(b[i]))
-}
-
 struct Judge<'a> {
     system: &'a System,
-    rounding: &'a dyn Fn(&Snapshot) -> Spread,
+    rounding: &'a dyn Fn(&Snapshot) -> PerQuantity<f64>,
 }
 
 impl Judge<'_> {
@@ -156,31 +152,32 @@ impl Judge<'_> {
         best: &mut Best,
         source: Source,
         states: &[Snapshot],
-        allowed: Vec<Spread>,
+        allowed: Vec<PerQuantity<f64>>,
         roundings: f64,
     ) {
-        let (mut largest, mut contradiction) = ([0.0; 6], [0.0; 6]);
+        let (mut largest, mut contradiction) = (PerQuantity::all(0.0), PerQuantity::all(0.0));
         for (j, state) in states.iter().enumerate() {
             let apart = difference(&self.system.body, &best.states[j], state);
             let rounding = (self.rounding)(&best.states[j]);
-            largest = larger(largest, &apart);
-            let excess: Spread = std::array::from_fn(|i| {
-                let bound = allowed[j][i] + roundings * rounding[i] + best.uncertainty[j][i];
-                if apart[i] > bound { apart[i] } else { 0.0 }
+            largest = largest.max(apart);
+            let excess = PerQuantity::of(|quantity| {
+                let told = best.uncertainty[j][quantity];
+                let bound = allowed[j][quantity] + roundings * rounding[quantity] + told;
+                if apart[quantity] > bound { apart[quantity] } else { 0.0 }
             });
-            contradiction = larger(contradiction, &excess);
-            best.uncertainty[j] = larger(best.uncertainty[j], &contradiction);
+            contradiction = contradiction.max(excess);
+            best.uncertainty[j] = best.uncertainty[j].max(contradiction);
         }
         best.sources.push(Source { disagreement: Some(largest), ..source });
     }
 
     #[cfg(feature = "solvers")]
     fn hold_solvers(&self, best: &mut Best, pair: Pair) {
-        let mut spread = [0.0; 6];
+        let mut spread = PerQuantity::all(0.0);
         let states = pair.best.states.iter().zip(&pair.second.states);
-        let spreads: Vec<Spread> = states
+        let spreads: Vec<PerQuantity<f64>> = states
             .map(|(a, b)| {
-                spread = larger(spread, &difference(&self.system.body, a, b));
+                spread = spread.max(difference(&self.system.body, a, b));
                 spread
             })
             .collect();

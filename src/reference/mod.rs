@@ -27,7 +27,7 @@ pub(crate) mod stored;
 use crate::ode::SolverError;
 
 pub use agreement::Reference;
-pub use sources::{Role, Source, Spread};
+pub use sources::{Role, Source};
 pub(crate) use stored::{Stored, StoredError};
 
 /// A reference that cannot be had.

@@ -1,7 +1,6 @@
 //! The solutions that a reference rests on.
 
-/// A value for each of [`crate::model::Quantity::ALL`], in its order and units.
-pub type Spread = [f64; 6];
+use crate::model::PerQuantity;
 
 /// What a source is there for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,7 +41,7 @@ pub struct Source {
     pub role: Role,
     /// Largest difference from the best estimate over the run; `None` for the best estimate itself. A check
     /// compares angular velocities only: its other entries are 0.
-    pub disagreement: Option<Spread>,
+    pub disagreement: Option<PerQuantity<f64>>,
 }
 
 impl Source {

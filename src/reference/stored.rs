@@ -201,7 +201,8 @@ impl Stored {
     pub fn of(scene: &str, system: &System, motion: &Motion, digits: usize) -> Stored {
         let [(order, _), (other, _)] = motion.runs;
         let samples = motion.moments.iter().map(|moment| Sample::of(system, moment, digits)).collect();
-        let largest = motion.moments.iter().flat_map(|moment| moment.error).fold(0.0, f64::max);
+        let largest =
+            motion.moments.iter().flat_map(|moment| moment.error.values()).copied().fold(0.0, f64::max);
         let mut stored = Stored {
             schema: SCHEMA.to_owned(),
             scene: scene.to_owned(),

@@ -2,7 +2,7 @@
 
 use comfy_table::{Attribute, Cell, ContentArrangement, Table, TableComponent, presets};
 
-use crate::record::{Records, Verdict};
+use crate::record::{Records, Ruling, Verdict};
 
 use super::survey::{self, Outcome};
 
@@ -20,6 +20,23 @@ pub fn verdict_table(records: &Records, verbose: bool) -> String {
         text += &format!("\n{}\n", detail_table(&verdicts));
     }
     text += &format!("\n{}\n", summary(records));
+    text
+}
+
+/// A line for each program that solves another motion, in each scene: the size of the error, and what explains it.
+pub fn elsewhere(records: &Records) -> String {
+    let mut text = String::new();
+    for scene in survey::scenes(records) {
+        for scheme in survey::schemes(records) {
+            let own = |v: &&Verdict| v.scene == scene && v.scheme == scheme;
+            let mut fails = records.verdicts.iter().filter(own).filter(|v| v.verdict == Ruling::Fail);
+            let cause = records.verdicts.iter().filter(own).find(|v| v.quantity == "cause");
+            if let (Some(first), Some(cause)) = (fails.next(), cause) {
+                let what = first.detail.split(" (").next().unwrap_or_default();
+                text += &format!("{scheme} in {scene}, {}: {what}; {}\n", first.quantity, cause.detail);
+            }
+        }
+    }
     text
 }
 

@@ -3,8 +3,8 @@
 use nalgebra::Vector3;
 
 use super::planted::{Measure, Plant, Row};
-use crate::measure::{Evidence, QuantityLadder, Reading};
-use crate::model::{Quantity, Snapshot, System, difference};
+use crate::measure::{Evidence, QuantityLadder, Reading, Rung};
+use crate::model::{PerQuantity, Quantity, Snapshot, System, difference};
 use crate::reference::Reference;
 use crate::simulate::{Contestant, Form, Plan};
 
@@ -17,14 +17,10 @@ pub(super) const METRICS: &[Row] = &[
     ("angle by 2 acos |w|", Plant::Metric(|s, a, b| over(a, b, |a, b| acos(s, a, b))), FREE),
     (
         "angle in degrees",
-        Plant::Metric(|s, a, b| over(a, b, |a, b| scaled(s, a, b, 2, 57.295_779_513_082_32))),
+        Plant::Metric(|s, a, b| over(a, b, |a, b| scaled(s, a, b, 57.295_779_513_082_32))),
         FREE,
     ),
-    (
-        "angle of the half quaternion",
-        Plant::Metric(|s, a, b| over(a, b, |a, b| scaled(s, a, b, 2, 0.5))),
-        FREE,
-    ),
+    ("angle of the half quaternion", Plant::Metric(|s, a, b| over(a, b, |a, b| scaled(s, a, b, 0.5))), FREE),
     ("the largest told as the last", Plant::Metric(largest_as_last), FREE),
     ("the last told as the largest", Plant::Metric(last_as_largest), FREE),
     ("the mean told as the largest", Plant::Metric(mean_as_largest), FREE),
@@ -56,7 +52,8 @@ pub(super) const METRICS: &[Row] = &[
         "quantities in another order",
         Plant::Metric(|s, a, b| {
             let mut r = plain(s, a, b);
-            r.swap(2, 3);
+            let (angle, spin) = (r[Quantity::Orientation], r[Quantity::AngularVelocity]);
+            (r[Quantity::Orientation], r[Quantity::AngularVelocity]) = (spin, angle);
             r
         }),
         FREE,
@@ -68,66 +65,66 @@ pub(super) const METRICS: &[Row] = &[
 fn over(
     run: &[Snapshot],
     truth: &[Snapshot],
-    apart: impl Fn(&Snapshot, &Snapshot) -> [f64; 6],
-) -> [Reading; 6] {
-    let mut readings = [Reading { end: 0.0, max: 0.0 }; 6];
+    apart: impl Fn(&Snapshot, &Snapshot) -> PerQuantity<f64>,
+) -> PerQuantity<Reading> {
+    let mut readings = PerQuantity::all(Reading { end: 0.0, max: 0.0 });
     for (state, truth) in run.iter().zip(truth) {
-        for (reading, value) in readings.iter_mut().zip(apart(state, truth)) {
-            *reading = Reading { end: value, max: reading.max.max(value) };
-        }
+        let apart = readings.zip(apart(state, truth));
+        readings = apart.map(|(reading, end)| Reading { end, max: reading.max.max(end) });
     }
     readings
 }
 
-fn plain(system: &System, run: &[Snapshot], truth: &[Snapshot]) -> [Reading; 6] {
+fn plain(system: &System, run: &[Snapshot], truth: &[Snapshot]) -> PerQuantity<Reading> {
     over(run, truth, |a, b| difference(&system.body, a, b))
 }
 
-fn scaled(system: &System, a: &Snapshot, b: &Snapshot, index: usize, factor: f64) -> [f64; 6] {
+/// The angle times a factor.
+fn scaled(system: &System, a: &Snapshot, b: &Snapshot, factor: f64) -> PerQuantity<f64> {
     let mut apart = difference(&system.body, a, b);
-    apart[index] *= factor;
+    apart[Quantity::Orientation] *= factor;
     apart
 }
 
-fn acos(system: &System, a: &Snapshot, b: &Snapshot) -> [f64; 6] {
+fn acos(system: &System, a: &Snapshot, b: &Snapshot) -> PerQuantity<f64> {
     let mut apart = difference(&system.body, a, b);
-    apart[2] = 2.0 * (a.orientation.inverse() * b.orientation).w.abs().min(1.0).acos();
+    apart[Quantity::Orientation] = 2.0 * (a.orientation.inverse() * b.orientation).w.abs().min(1.0).acos();
     apart
 }
 
-fn largest_as_last(system: &System, run: &[Snapshot], truth: &[Snapshot]) -> [Reading; 6] {
+fn largest_as_last(system: &System, run: &[Snapshot], truth: &[Snapshot]) -> PerQuantity<Reading> {
     plain(system, run, truth).map(|reading| Reading { end: reading.max, ..reading })
 }
 
-fn last_as_largest(system: &System, run: &[Snapshot], truth: &[Snapshot]) -> [Reading; 6] {
+fn last_as_largest(system: &System, run: &[Snapshot], truth: &[Snapshot]) -> PerQuantity<Reading> {
     plain(system, run, truth).map(|reading| Reading { max: reading.end, ..reading })
 }
 
-fn mean_as_largest(system: &System, run: &[Snapshot], truth: &[Snapshot]) -> [Reading; 6] {
-    let mut readings = plain(system, run, truth);
-    for (index, reading) in readings.iter_mut().enumerate() {
-        let sum: f64 = run.iter().zip(truth).map(|(a, b)| difference(&system.body, a, b)[index]).sum();
-        reading.max = sum / run.len() as f64;
-    }
-    readings
+fn mean_as_largest(system: &System, run: &[Snapshot], truth: &[Snapshot]) -> PerQuantity<Reading> {
+    let readings = plain(system, run, truth);
+    PerQuantity::of(|quantity| {
+        let apart = run.iter().zip(truth).map(|(a, b)| difference(&system.body, a, b)[quantity]);
+        Reading { max: apart.sum::<f64>() / run.len() as f64, ..readings[quantity] }
+    })
 }
 
-fn components(system: &System, a: &Snapshot, b: &Snapshot) -> [f64; 6] {
+fn components(system: &System, a: &Snapshot, b: &Snapshot) -> PerQuantity<f64> {
     let mut apart = difference(&system.body, a, b);
     let largest = |a: Vector3<f64>, b: Vector3<f64>| (a - b).x.abs();
-    apart[0] = largest(a.position, b.position);
-    apart[1] = largest(a.velocity, b.velocity);
+    apart[Quantity::Position] = largest(a.position, b.position);
+    apart[Quantity::Velocity] = largest(a.velocity, b.velocity);
     apart
 }
 
-fn thresholded(system: &System, a: &Snapshot, b: &Snapshot) -> [f64; 6] {
+fn thresholded(system: &System, a: &Snapshot, b: &Snapshot) -> PerQuantity<f64> {
     difference(&system.body, a, b).map(|error| if error < 1e-6 { 0.0 } else { error })
 }
 
-fn relative_to_path(system: &System, run: &[Snapshot], truth: &[Snapshot]) -> [Reading; 6] {
+fn relative_to_path(system: &System, run: &[Snapshot], truth: &[Snapshot]) -> PerQuantity<Reading> {
     let mut readings = plain(system, run, truth);
     let path = truth.iter().map(|s| s.position.norm()).fold(0.0, f64::max);
-    readings[0] = Reading { end: readings[0].end / path, max: readings[0].max / path };
+    let Reading { end, max } = readings[Quantity::Position];
+    readings[Quantity::Position] = Reading { end: end / path, max: max / path };
     readings
 }
 
@@ -149,11 +146,9 @@ pub(super) fn mismeasured(
         rung.errors = measure(system, &states, &truth);
     }
     for ladder in &mut evidence.ladders {
-        let Some(index) = Quantity::ALL.iter().position(|quantity| *quantity == ladder.quantity) else {
-            continue;
-        };
         let rungs = evidence.rungs.iter().zip(&ladder.rungs);
-        let rungs = rungs.map(|(run, rung)| (rung.0, ladder.place.of(&run.errors[index]), rung.2)).collect();
+        let error = |run: &Rung| ladder.place.of(&run.errors[ladder.quantity]);
+        let rungs = rungs.map(|(run, rung)| (rung.0, error(run), rung.2)).collect();
         *ladder = QuantityLadder::of(ladder.quantity, ladder.place, rungs, order);
     }
     evidence

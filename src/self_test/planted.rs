@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use crate::claim::Claim;
 use crate::measure::Reading;
 use crate::model::forces::{Forces, Law, TorqueAxes};
-use crate::model::{Snapshot, System};
+use crate::model::{PerQuantity, Snapshot, System};
 use crate::reference::Reference;
 use crate::rotation;
 
@@ -29,8 +29,8 @@ pub(super) enum Plant {
     Metric(Measure),
 }
 
-/// Errors of a run against its reference, at the end and at most, in the order of [`Quantity::ALL`].
-pub(super) type Measure = fn(&System, &[Snapshot], &[Snapshot]) -> [Reading; 6];
+/// Errors of a run against its reference, at the end and at most.
+pub(super) type Measure = fn(&System, &[Snapshot], &[Snapshot]) -> PerQuantity<Reading>;
 
 /// A defect outside the scheme: its name, how it is planted, and the scenes that show it.
 pub(super) type Row = (&'static str, Plant, &'static [&'static str]);

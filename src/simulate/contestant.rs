@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::dispatch::{run_in_body_axes, run_on_any_model, run_on_points};
 use super::limits::Limits;
 use super::{Outcome, Plan, Program, Trajectory, substeps};
+use crate::claim::Claim;
 use crate::model::{AnyModel, Snapshot, System, SystemError};
 use crate::schemes::{self, Card, PointScheme, Scheme, SideBySide, TurningScheme, Visitor};
 
@@ -165,6 +166,14 @@ impl Contestant {
     /// The same, and who the program is.
     pub fn by(self, program: impl Fn() -> Program + Send + Sync + 'static) -> Contestant {
         Contestant { program: Some(Arc::new(program)), ..self }
+    }
+
+    /// The same, held to an order in the place of what it claims.
+    pub fn claiming(self, order: u32) -> Contestant {
+        let of_order = |claim: &&Claim| matches!(claim, Claim::Order(_) | Claim::OrderWithoutTorque(_));
+        let others = self.card.claims.iter().filter(|claim| !of_order(claim)).copied();
+        let claims: Vec<Claim> = others.chain([Claim::Order(order)]).collect();
+        Contestant { card: Card { claims: claims.leak(), ..self.card }, ..self }
     }
 
     /// Who the foreign program is, where it is one.

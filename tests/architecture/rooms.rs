@@ -125,12 +125,13 @@ const EDGES: &[(&str, &[&str])] = &[
         ],
     ),
     ("prelude", &["assertion", "campaign", "model", "record", "report", "scenes", "schemes", "simulate"]),
-    ("guide", &[]),
+    ("guide", &["campaign", "model", "prelude", "record", "scenes", "schemes", "simulate"]),
 ];
 
 /// A room of `study`, and the other rooms of `study` that it may use.
 const STUDIES: &[(&str, &[&str])] = &[
     ("cost", &[]),
+    ("published", &[]),
     ("ensemble", &[]),
     ("advice", &["cost"]),
     ("stability", &["ensemble"]),
@@ -159,6 +160,8 @@ fn used_rooms(room: &str) -> BTreeSet<String> {
     let mut used: BTreeSet<String> =
         files.iter().flat_map(|file| file.paths().into_iter().map(|path| path[0].clone())).collect();
     used.remove(room);
+    // Links of the documentation name functions and types, too.
+    used.retain(|name| ROOMS.contains(&name.as_str()) || HELPERS.contains(&name.as_str()));
     used
 }
 

@@ -16,8 +16,7 @@ fn error(contestant: &Contestant, scene: &Scene, reference: &Reference, steps: u
     let plan = Plan::over(scene.duration, steps, SAMPLES as u64);
     let run = contestant.run(&scene.system, Form::Least, &plan);
     let sight = Sight { system: &scene.system, reference, states: &run.states };
-    let index = Quantity::ALL.iter().position(|quantity| *quantity == Quantity::Orientation).expect("listed");
-    measure::errors(&sight)[index].max
+    measure::errors(&sight)[Quantity::Orientation].max
 }
 
 #[test]

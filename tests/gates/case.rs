@@ -5,7 +5,7 @@ use polhode::internals::measure::{
     self, EnergyDrift, Evidence, Flips, OtherWorld, Place, PointRun, QuantityLadder, Reading, Reversal, Rung,
     Symplecticity,
 };
-use polhode::model::Broken;
+use polhode::model::{Broken, PerQuantity};
 use polhode::record::stability::LinearLimit;
 use polhode::record::{Ruling, Verdict};
 use polhode::scenes::Scene;
@@ -36,8 +36,8 @@ pub struct Made {
 /// Floor of every error.
 pub const FLOOR: f64 = 1e-15;
 
-fn readings(value: f64) -> [Reading; 6] {
-    [Reading { end: value, max: value }; 6]
+fn readings(value: f64) -> PerQuantity<Reading> {
+    PerQuantity::all(Reading { end: value, max: value })
 }
 
 /// A run of so many steps, an error everywhere, as far from the run before.
@@ -57,11 +57,6 @@ pub fn rung(step: f64, steps: u64, error: f64, moved: f64) -> Rung {
 pub fn broken(mut rung: Rung) -> Rung {
     rung.outcome.broken = Some(Break { step: 1, time: rung.step, why: Broken::NotFinite });
     rung
-}
-
-/// Where a quantity stands in a rung.
-pub fn index(quantity: Quantity) -> usize {
-    Quantity::ALL.iter().position(|q| *q == quantity).expect("a quantity")
 }
 
 impl Made {

@@ -1,11 +1,12 @@
 //! Whether runs come to another motion than the truth.
 
-use polhode::internals::measure::APART;
+use polhode::internals::measure::{APART, Reading};
+use polhode::model::PerQuantity;
 use polhode::record::Ruling::{Fail, Inconclusive, NotApplicable, Pass};
 use polhode::record::Verdict;
 use polhode::schemes::{Claim, Quantity};
 
-use super::case::{FLOOR, Made, broken, index, numbers, rung};
+use super::case::{FLOOR, Made, broken, numbers, rung};
 
 const SECOND: &[Claim] = &[Claim::Order(2)];
 
@@ -17,10 +18,9 @@ fn consistency(runs: &[(f64, f64)]) -> Verdict {
         (0..).zip(runs).map(|(k, (moved, error))| rung(0.5f64.powi(k), 8 << k, *error, *moved)).collect();
     // It is the points of the body over the run that are looked at.
     for rung in &mut made.evidence.rungs {
-        for (place, error) in rung.errors.iter_mut().enumerate() {
-            error.end = 7.0;
-            error.max = if place == index(Quantity::BodyPoint) { error.max } else { 7.0 };
-        }
+        let max = rung.errors[Quantity::BodyPoint].max;
+        rung.errors = PerQuantity::all(Reading { end: 7.0, max: 7.0 });
+        rung.errors[Quantity::BodyPoint].max = max;
     }
     assert_eq!(made.ruling("order", "all"), NotApplicable);
     made.verdict("consistency", "body-point-max")

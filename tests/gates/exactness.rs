@@ -5,7 +5,7 @@ use polhode::record::Ruling::{Broken, Fail, Inconclusive, NotApplicable, Pass};
 use polhode::schemes::{Claim, Quantity, When};
 use polhode::simulate::Outcome;
 
-use super::case::{FLOOR, Made, broken, index, numbers, rung};
+use super::case::{FLOOR, Made, broken, numbers, rung};
 
 const TURNS: &[Claim] = &[Claim::Exact(Quantity::Orientation, When::SteadySpin)];
 const SPINS: &[Claim] = &[Claim::Exact(Quantity::AngularVelocity, When::SteadySpin)];
@@ -101,11 +101,11 @@ fn giant_steps_are_held_to_ten_floors_where_runs_came_to_their_end() {
     assert_eq!(made.ruling("exact", "orientation-giant-steps"), Pass);
     // No error is exact whatever the floor is, and the worst is that which is nearest to its own bound.
     let mut made = at([0.0, 3e-15]);
-    made.evidence.giant_steps[0].floors[index(Quantity::Orientation)].end = 0.0;
+    made.evidence.giant_steps[0].floors[Quantity::Orientation].end = 0.0;
     let verdict = made.verdict("exact", "orientation-giant-steps");
     assert_eq!((verdict.verdict, verdict.measured), (Pass, Some(3e-15)));
     made.evidence.giant_steps[0] = rung(8.0, 1, 2e-15, 0.0);
-    made.evidence.giant_steps[0].floors[index(Quantity::Orientation)].end = 1e-16;
+    made.evidence.giant_steps[0].floors[Quantity::Orientation].end = 1e-16;
     assert_eq!(made.verdict("exact", "orientation-giant-steps").measured, Some(2e-15));
     assert!(Made::new("slow-sphere", TURNS).quantities("exact").is_empty());
 }
@@ -115,7 +115,7 @@ fn nothing_is_called_exact_where_rounding_leaves_the_rotation_open() {
     let at = |claims: &'static [Claim], open: f64| {
         let mut made = Made::new("slow-sphere", claims);
         for (quantity, floor) in [(Quantity::Orientation, open), (Quantity::Position, 1.0)] {
-            made.evidence.rungs[5].floors[index(quantity)].max = floor;
+            made.evidence.rungs[5].floors[quantity].max = floor;
         }
         made.judge().into_iter().find(|v| v.claim == "exact").map(|v| v.verdict)
     };

@@ -7,7 +7,7 @@ use polhode::record::Ruling::{self, Broken, Fail, Inconclusive, Pass};
 use polhode::record::Verdict;
 use polhode::schemes::{Claim, EnergyOfFreeBody, Quantity, When};
 
-use super::case::{Made, index};
+use super::case::Made;
 use super::energies::drift;
 use super::orders::{SECOND, power};
 
@@ -188,7 +188,7 @@ fn a_slope_below_the_band_is_excused_where_nobody_knows_the_motion() {
     let open = |part: f64| {
         move |made: &mut Made| {
             let open = part * made.scene.system.body.extent();
-            made.evidence.rungs[5].floors[index(Quantity::BodyPoint)].max = open;
+            made.evidence.rungs[5].floors[Quantity::BodyPoint].max = open;
         }
     };
     assert_eq!(below(open(0.0999), &power(1.0), &power(1.0)), [Fail; 2]);

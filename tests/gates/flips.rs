@@ -4,7 +4,7 @@ use polhode::internals::measure::{FlipRung, Flips, TrueFlips};
 use polhode::record::Ruling::{Fail, Inconclusive, NotApplicable, Pass};
 use polhode::schemes::{Claim, Quantity};
 
-use super::case::{Made, index, numbers};
+use super::case::{Made, numbers};
 
 /// Two flips in truth, and times on rungs that are late by these errors.
 fn late(errors: &[f64]) -> Made {
@@ -67,7 +67,7 @@ fn times_at_their_floor_are_right_whatever_their_slopes() {
         flips(&mut made).truth.uncertainty = floor;
         assert_eq!(made.ruling("flip-times", "flip-times"), expected, "{floor}");
         let mut made = late(&errors);
-        let orientation = index(Quantity::Orientation);
+        let orientation = Quantity::Orientation;
         made.evidence.rungs[5].floors[orientation].max = 0.5 * floor;
         assert_eq!(made.ruling("flip-times", "flip-times"), expected, "{floor}");
     }
@@ -93,7 +93,7 @@ fn flips_that_are_not_known_are_not_judged() {
     let mut made = late(&power(1));
     // So fast that an angle is no time.
     flips(&mut made).truth.slowest = f64::INFINITY;
-    let orientation = index(Quantity::Orientation);
+    let orientation = Quantity::Orientation;
     made.evidence.rungs[5].floors[orientation].max = 1e-3;
     assert_eq!(made.ruling("flip-times", "flip-times"), Fail);
     made.evidence.rungs[5].floors[orientation].max = 1e-3f64.next_up();

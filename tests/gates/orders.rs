@@ -8,7 +8,7 @@ use polhode::record::{Order, Records};
 use polhode::scenes::Scene;
 use polhode::schemes::{Claim, Quantity, When};
 
-use super::case::{FLOOR, Made, broken, index, numbers};
+use super::case::{FLOOR, Made, broken, numbers};
 
 pub const SECOND: &[Claim] = &[Claim::Order(2)];
 
@@ -95,7 +95,7 @@ fn a_broken_ladder_says_what_broke() {
         verdict.verdict == Inconclusive && verdict.detail.contains("reference is not finite"),
         "{verdict:?}"
     );
-    made.evidence.rungs[5].moved[index(Quantity::Position)].end = f64::NAN;
+    made.evidence.rungs[5].moved[Quantity::Position].end = f64::NAN;
     let verdict = made.verdict("order", "position-end");
     assert!(verdict.verdict == Broken && verdict.detail.contains("no finite error"), "{verdict:?}");
     made.evidence.rungs[5] = broken(made.evidence.rungs[5].clone());

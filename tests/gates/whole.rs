@@ -3,13 +3,13 @@
 use nalgebra::Vector3;
 use polhode::internals::gates;
 use polhode::internals::rotation::Rotation;
-use polhode::model::Snapshot;
+use polhode::model::{PerQuantity, Snapshot};
 use polhode::record::Ruling::{self, Broken, Fail, Inconclusive, NotApplicable, Pass};
 use polhode::record::Verdict;
 use polhode::reference::Reference;
 use polhode::schemes::{Claim, Quantity};
 
-use super::case::{Made, broken, index, numbers};
+use super::case::{Made, broken, numbers};
 use crate::common::scene;
 
 fn verdict(ruling: Ruling, known: bool) -> Verdict {
@@ -85,7 +85,7 @@ fn every_verdict_names_its_scene_and_its_scheme() {
 type Change = fn(&mut Snapshot);
 
 /// A body at rest, and then as changed, as a reference that is as uncertain at first.
-fn judged(uncertainty: [f64; 6], change: Change) -> Verdict {
+fn judged(uncertainty: PerQuantity<f64>, change: Change) -> Verdict {
     let scene = scene("free-asymmetric");
     let zero = Vector3::zeros();
     let rest = Snapshot {
@@ -100,14 +100,14 @@ fn judged(uncertainty: [f64; 6], change: Change) -> Verdict {
     let mut state = rest;
     change(&mut state);
     let states = vec![rest, state];
-    let uncertainty = vec![uncertainty, [0.0; 6]];
+    let uncertainty = vec![uncertainty, PerQuantity::all(0.0)];
     let reference = Reference { times: vec![0.0, 1.0], states, uncertainty, sources: Vec::new() };
     gates::judge_reference("here", &scene.system, &reference)
 }
 
-fn uncertain(quantity: Quantity, value: f64) -> [f64; 6] {
-    let mut uncertainty = [0.0; 6];
-    uncertainty[index(quantity)] = value;
+fn uncertain(quantity: Quantity, value: f64) -> PerQuantity<f64> {
+    let mut uncertainty = PerQuantity::all(0.0);
+    uncertainty[quantity] = value;
     uncertainty
 }
 
@@ -146,14 +146,14 @@ fn a_reference_is_certain_to_a_millionth_of_the_scale_of_every_quantity() {
 fn the_least_certain_quantity_is_named_and_nan_is_no_certainty() {
     let turning = |state: &mut Snapshot| state.angular_velocity = Vector3::new(0.0, 0.0, 300.0);
     let mut uncertainty = uncertain(Quantity::Orientation, 1e-8);
-    uncertainty[index(Quantity::AngularVelocity)] = 1e-7;
+    uncertainty[Quantity::AngularVelocity] = 1e-7;
     let found = judged(uncertainty, turning);
     assert_eq!((found.verdict, found.quantity.as_str(), found.measured), (Pass, "orientation", Some(1e-8)));
     assert_eq!(
         (found.scene.as_str(), found.scheme.as_str(), found.claim.as_str()),
         ("here", "reference", "references-agree")
     );
-    let certain = judged([0.0; 6], turning);
+    let certain = judged(PerQuantity::all(0.0), turning);
     assert_eq!((certain.verdict, certain.quantity.as_str(), certain.measured), (Pass, "position", Some(0.0)));
     // A bound that is met exactly.
     assert_eq!(judged(uncertain(Quantity::Orientation, 1e-6), |_| ()).verdict, Pass);

@@ -1,11 +1,10 @@
 //! Systems made by hand, and what tests ask of states.
 
 use nalgebra::{Matrix3, Vector3};
-use polhode::internals::reference::Spread;
 use polhode::internals::rotation::Rotation;
 use polhode::model::body::{Body, MassPoint};
 use polhode::model::forces::{Gravity, Law};
-use polhode::model::{Snapshot, Spin, System, difference};
+use polhode::model::{PerQuantity, Snapshot, Spin, System, difference};
 
 pub type V = Vector3<f64>;
 
@@ -51,15 +50,14 @@ pub fn quarters(duration: f64) -> [f64; 4] {
     [0.25, 0.5, 0.75, 1.0].map(|part| part * duration)
 }
 
-pub fn worst(system: &System, a: &[Snapshot], b: &[Snapshot]) -> Spread {
-    let mut worst = [0.0f64; 6];
+pub fn worst(system: &System, a: &[Snapshot], b: &[Snapshot]) -> PerQuantity<f64> {
+    let mut worst = PerQuantity::all(0.0);
     for (a, b) in a.iter().zip(b) {
-        let apart = difference(&system.body, a, b);
-        worst = std::array::from_fn(|i| worst[i].max(apart[i]));
+        worst = worst.max(difference(&system.body, a, b));
     }
     worst
 }
 
-pub fn largest(spread: &Spread) -> f64 {
-    spread.iter().copied().fold(0.0, f64::max)
+pub fn largest(spread: &PerQuantity<f64>) -> f64 {
+    spread.values().copied().fold(0.0, f64::max)
 }

@@ -4,7 +4,7 @@ use polhode::internals::ode::dop853;
 use polhode::internals::reference::precise::{self, AFFORDABLE, DoubleDouble, Moment, Motion};
 use polhode::internals::rotation::Rotation;
 use polhode::model::forces::{Ground, Law};
-use polhode::model::{Snapshot, Spin, System};
+use polhode::model::{Quantity, Snapshot, Spin, System};
 
 use super::building::{NONE, V, body, free, gravity, largest, quarters, worst};
 use crate::common::scene;
@@ -49,16 +49,16 @@ fn a_point_on_an_undamped_ground_bounces_by_parabola_and_sine() {
         let [low, high] = &motion.moments[..] else { panic!("two moments") };
         let late = DoubleDouble::from(high.time) - back;
         let height = DoubleDouble::ONE - (late * late).scaled(4.0);
-        holds("height", high.position[2] - height, high.error[0]);
-        holds("fall", high.velocity[2] + late.scaled(8.0), high.error[1]);
+        holds("height", high.position[2] - height, high.error[Quantity::Position]);
+        holds("fall", high.velocity[2] + late.scaled(8.0), high.error[Quantity::Velocity]);
         let late = DoubleDouble::from(low.time) - lowest;
         // z'' = −8 − 4 z = 8 √2 where z = −2 − 2 √2.
         let root = DoubleDouble::from(2.0).sqrt();
         let depth = (DoubleDouble::ONE + root).scaled(2.0) - (root * late * late).scaled(4.0);
-        holds("depth", low.position[2] + depth, low.error[0]);
-        holds("rise", low.velocity[2] - (root * late).scaled(8.0), low.error[1]);
+        holds("depth", low.position[2] + depth, low.error[Quantity::Position]);
+        holds("rise", low.velocity[2] - (root * late).scaled(8.0), low.error[Quantity::Velocity]);
         // Measured: 2e-31 after one bounce, 2e-29 after 64.
-        assert!(high.error[1] < 1e-27, "{bounces}: {:e}", high.error[1]);
+        assert!(high.error[Quantity::Velocity] < 1e-27, "{bounces}: {:e}", high.error[Quantity::Velocity]);
     }
 }
 
@@ -178,7 +178,10 @@ fn a_touch_that_grazes_costs_no_digit() {
             if off <= 0.0 {
                 let [x, y, z] = moment.angular_velocity;
                 let change = [x, y - DoubleDouble::ONE, z].map(|x| x.high.abs());
-                assert!(change.iter().all(|x| *x <= moment.error[3]), "{off:e}: {change:?}");
+                assert!(
+                    change.iter().all(|x| *x <= moment.error[Quantity::AngularVelocity]),
+                    "{off:e}: {change:?}"
+                );
             }
             // A touch of depth δ takes a part √δ of a turn, and is pushed by up to 8 N s/m times √δ: about δ each.
             let spin = moment.snapshot().angular_velocity;

@@ -6,7 +6,7 @@ use polhode::internals::measure::{self, Evidence};
 use polhode::internals::model::Change;
 use polhode::internals::reference::{Reference, stored};
 use polhode::internals::rotation;
-use polhode::model::{Quantity, difference};
+use polhode::model::{PerQuantity, Quantity, difference};
 use polhode::scenes::{self, Scene};
 use polhode::simulate::{Contestant, Form, Plan};
 
@@ -23,7 +23,7 @@ fn ladder(scene: &Scene, contestant: &Contestant) -> (Reference, Evidence) {
     let stored = stored::find(&scene.name).expect("readable");
     let mut reference =
         Reference::of(&scene.system, scene.duration, 64, stored.as_ref()).expect("a reference");
-    reference.uncertainty.iter_mut().for_each(|uncertainty| *uncertainty = [0.0; 6]);
+    reference.uncertainty.iter_mut().for_each(|uncertainty| *uncertainty = PerQuantity::all(0.0));
     let evidence = measure::climb(contestant, &scene.system, &reference, 2, false);
     (reference, evidence)
 }
@@ -33,23 +33,23 @@ const FOLLOWS: f64 = 0.1;
 
 /// Largest difference of the finest run from itself in two turned worlds, over its floor; by quantity. `None` where it does not follow
 /// the truth.
-fn of_floor(scene: &Scene, contestant: &Contestant) -> Option<[f64; 6]> {
+fn of_floor(scene: &Scene, contestant: &Contestant) -> Option<PerQuantity<f64>> {
     let (_, evidence) = ladder(scene, contestant);
     let rung = evidence.rungs.iter().rev().find(|rung| rung.outcome.broken.is_none())?;
-    if rung.errors[5].max > FOLLOWS * scene.system.body.extent() {
+    if rung.errors[Quantity::BodyPoint].max > FOLLOWS * scene.system.body.extent() {
         return None;
     }
     let plan = Plan { step: rung.step, steps: rung.steps, every: rung.steps };
     let own = *contestant.run(&scene.system, Form::Least, &plan).states.last()?;
-    let mut largest = [0.0; 6];
+    let mut largest = PerQuantity::all(0.0);
     for turn in [Vector3::new(0.9, -1.3, 0.4), Vector3::new(-0.3, 1.1, 1.7)] {
         let change = Change { turn: rotation::turn(&turn), ..Change::none() };
         let other = contestant.run(&change.apply(&scene.system), Form::Least, &plan);
         let apart = difference(&scene.system.body, &change.undo(other.states.last()?), &own);
-        for index in 0..6 {
+        for (quantity, apart) in apart {
             // A quantity that does not move at all has neither rounding nor a floor.
-            if apart[index] > 0.0 {
-                largest[index] = f64::max(largest[index], apart[index] / rung.floors[index].end);
+            if apart > 0.0 {
+                largest[quantity] = f64::max(largest[quantity], apart / rung.floors[quantity].end);
             }
         }
     }
@@ -73,7 +73,7 @@ fn the_floor_of_rounding_covers_what_rounding_does_in_every_scene() {
                 astray += 1;
                 continue;
             };
-            for (ratio, quantity) in ratios.into_iter().zip(Quantity::ALL) {
+            for (quantity, ratio) in ratios {
                 if ratio > CLEAR {
                     above.push(format!(
                         "{scheme} in {}: {} by {ratio:.1} floors",

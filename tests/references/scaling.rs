@@ -1,7 +1,7 @@
 //! A scene in other units has the same answer.
 
 use polhode::model::forces::{Attachment, CentralGravity, Drag, Law, PerPoint, Spring};
-use polhode::model::{Snapshot, System};
+use polhode::model::{PerQuantity, Snapshot, System};
 use polhode::reference::{Reference, Role};
 
 use super::building::{CLUSTER, V, free, gravity, largest, worst};
@@ -49,9 +49,12 @@ fn a_scene_scaled_by_1e_plus_minus_10_gives_the_same_dimensionless_answer() {
                 .collect();
             let error = worst(&plain, &scaled_back, &expected.states);
             assert!(largest(&error) < 1e-12, "{units:?}: {error:?}");
-            let scale = [l, l / t, 1.0, 1.0 / t, m * l * l / t, l];
+            let scale = PerQuantity::from([l, l / t, 1.0, 1.0 / t, m * l * l / t, l]);
             let stated = reference.largest_uncertainty();
-            assert!((0..6).all(|i| stated[i] / scale[i] < 1e-12), "{units:?}: {stated:?}");
+            assert!(
+                stated.zip(scale).values().all(|(stated, scale)| stated / scale < 1e-12),
+                "{units:?}: {stated:?}"
+            );
         }
     }
 }

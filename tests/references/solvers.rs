@@ -2,21 +2,23 @@
 
 use polhode::internals::ode::{SolverError, dop853, tsit45};
 use polhode::internals::reference::stored::Solution;
-use polhode::model::Snapshot;
-use polhode::reference::{Reference, ReferenceError, Spread};
+use polhode::model::{PerQuantity, Quantity, Snapshot};
+use polhode::reference::{Reference, ReferenceError};
 use polhode::scenes::Scene;
 
 use super::building::{V, from_moments, largest, quarters, worst};
 use crate::common::{scene, stored_of};
 
-fn worst_against(scene: &Scene, states: &[Snapshot]) -> Spread {
+fn worst_against(scene: &Scene, states: &[Snapshot]) -> PerQuantity<f64> {
     match stored_of(&scene.name).solution(&scene.system).expect("a solution") {
         Solution::Motion(exact) => worst(&scene.system, states, &exact),
         Solution::Spin(spins) => {
             let apart = |(s, (_, spin)): (&Snapshot, &(f64, V))| {
                 (s.orientation.inverse_transform_vector(&s.angular_velocity) - spin).norm()
             };
-            [0.0, 0.0, 0.0, states.iter().zip(&spins).map(apart).fold(0.0, f64::max), 0.0, 0.0]
+            let mut worst = PerQuantity::all(0.0);
+            worst[Quantity::AngularVelocity] = states.iter().zip(&spins).map(apart).fold(0.0, f64::max);
+            worst
         }
     }
 }

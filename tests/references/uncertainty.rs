@@ -2,8 +2,8 @@
 
 use polhode::internals::reference::stored::{self, Solution};
 use polhode::internals::rotation;
-use polhode::model::{Quantity, Snapshot, System, difference};
-use polhode::reference::{Reference, Role, Spread};
+use polhode::model::{PerQuantity, Quantity, Snapshot, System, difference};
+use polhode::reference::{Reference, Role};
 use polhode::scenes::{self, Scene};
 
 use crate::common::stored_of;
@@ -19,18 +19,18 @@ fn known() -> impl Iterator<Item = (Scene, Vec<Snapshot>)> {
 }
 
 /// Half a unit in the last place of each quantity: what any f64 is wrong by.
-fn half_a_unit(system: &System, state: &Snapshot) -> Spread {
+fn half_a_unit(system: &System, state: &Snapshot) -> PerQuantity<f64> {
     let position = rotation::length(&state.position);
     let extent = system.body.extent();
     let spin = rotation::length(&state.angular_velocity);
-    let sizes = [
+    let sizes = PerQuantity::from([
         position + rotation::length(&system.body.center),
         rotation::length(&state.velocity) + spin * rotation::length(&system.body.center),
         1.0,
         spin,
         rotation::length(&state.angular_momentum),
         position + extent,
-    ];
+    ]);
     sizes.map(|size| 0.5 * f64::EPSILON * size)
 }
 
@@ -41,11 +41,11 @@ fn ratios(scene: &Scene, exact: &[Snapshot], reference: &Reference) -> [(f64, Qu
     for (j, exact) in (1..=4).map(|quarter| quarter * samples / 4).zip(exact) {
         let error = difference(&scene.system.body, &reference.states[j], exact);
         let floor = half_a_unit(&scene.system, exact);
-        for (i, quantity) in Quantity::ALL.into_iter().enumerate() {
-            let stated = reference.uncertainty[j][i];
-            let known = error[i].max(floor[i]);
-            if error[i] > 0.0 && error[i] / stated > found[0].0 {
-                found[0] = (error[i] / stated, quantity);
+        for (quantity, error) in error {
+            let stated = reference.uncertainty[j][quantity];
+            let known = error.max(floor[quantity]);
+            if error > 0.0 && error / stated > found[0].0 {
+                found[0] = (error / stated, quantity);
             }
             if known > 0.0 && stated / known > found[1].0 {
                 found[1] = (stated / known, quantity);
@@ -97,17 +97,17 @@ fn no_reference_of_a_judged_scene_is_known_less_well_than_its_numbers_are_rounde
             Reference::of(&scene.system, scene.duration, 64, stored.as_ref()).expect("a reference");
         // That of a stored solution, a unit or so, counts for the times before it too.
         let units = reference.states.iter().map(|state| half_a_unit(&scene.system, state));
-        let largest = units.fold([0.0f64; 6], |a, b| std::array::from_fn(|i| a[i].max(b[i])));
+        let largest = units.fold(PerQuantity::all(0.0), PerQuantity::max);
         for (state, stated) in reference.states.iter().zip(&reference.uncertainty) {
             let rounding = largest.map(|x| 8.0 * x);
-            for (i, quantity) in Quantity::ALL.into_iter().enumerate() {
+            for (quantity, rounding) in rounding {
                 assert!(
-                    stated[i] <= rounding[i] * (1.0 + 1e-9),
+                    stated[quantity] <= rounding * (1.0 + 1e-9),
                     "{}: {quantity:?} at {} s: {:e} > {:e}",
                     scene.name,
                     state.time,
-                    stated[i],
-                    rounding[i]
+                    stated[quantity],
+                    rounding
                 );
             }
         }

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use polhode::model::{Snapshot, difference};
+use polhode::model::{Quantity, Snapshot, difference};
 use polhode::reference::Reference;
 use polhode::scenes::Scene;
 use polhode::simulate::{Form, Plan};
@@ -48,16 +48,14 @@ fn errors_on_the_heavy_asymmetric_top_are_those_measured_elsewhere() {
     }
 }
 
-/// Place of X_cm in a list of differences.
-const POSITION: usize = 0;
-
 #[test]
 fn the_pair_of_course_schemes_differs_in_constant_and_energy_not_in_order() {
     let mut scene = scene("tether-springs");
     let reference = Reference::of(&scene.system, scene.duration, 8, None).expect("a reference");
     let truth = reference.states[reference.states.len() - 1];
-    let error =
-        |scheme: &str| difference(&scene.system.body, &end(scheme, &scene, 1 << 16), &truth)[POSITION];
+    let error = |scheme: &str| {
+        difference(&scene.system.body, &end(scheme, &scene, 1 << 16), &truth)[Quantity::Position]
+    };
     // Measured 6.0.
     let ratio = error("course-code-euler") / error("course-notes-euler");
     assert!((5.4..6.6).contains(&ratio), "{ratio}");

@@ -3,8 +3,8 @@
 use nalgebra::Matrix3;
 use polhode::internals::reference::closed;
 use polhode::internals::rotation::{self, Rotation};
-use polhode::model::System;
 use polhode::model::body::Shape;
+use polhode::model::{Quantity, System};
 
 use super::known::{CHANGE, UNITS, moved};
 use super::recurrence::{Recurrence, motion, steady};
@@ -78,7 +78,7 @@ fn holds(name: &str, system: &System, time: f64, exact: &Rotation, amplified: f6
     let error = apart(system, &found.states[0].orientation, exact);
     let bound = UNITS * f64::EPSILON * (1.0 + FAR).max(amplified);
     println!("{name}: {:.2} units, amplified {:.2} a radian", UNITS * error / bound, amplified / FAR);
-    let stated = found.uncertainty[0][2];
+    let stated = found.uncertainty[0][Quantity::Orientation];
     assert!(error <= stated + 4.0 * f64::EPSILON, "{name}: {error:e} > {stated:e}");
     assert!(error <= bound, "{name}: {error:e} > {bound:e}");
     stated / error.max(0.5 * f64::EPSILON * FAR)

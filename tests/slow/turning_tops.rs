@@ -8,9 +8,9 @@ use nalgebra::Matrix3;
 use polhode::internals::reference::closed;
 use polhode::internals::reference::precise::{self, AFFORDABLE, DoubleDouble, Moment};
 use polhode::internals::rotation::{self, Rotation};
-use polhode::model::System;
 use polhode::model::body::Shape;
 use polhode::model::forces::{Forces, Gravity, Law};
+use polhode::model::{Quantity, System};
 
 use super::known::{BLADES, ROD, SIDEWAYS, V, top};
 use super::recurrence::{Matrix, power, product, rows, small_turn, to_rotation, transposed};
@@ -215,7 +215,7 @@ fn tops_hold_for_a_million_radians() {
             condition = condition.max(apart(&system, &there, &exact_now) / CHANGE / turned);
         }
         let units = error / f64::EPSILON / turned / condition;
-        let stated = found.uncertainty[0][2];
+        let stated = found.uncertainty[0][Quantity::Orientation];
         // Measured: 0.07 to 1.1 units a radian; 15 by formulas that cancel, where an axis goes past the vertical.
         assert!(units < 4.0, "{name}: {units}");
         // Measured: 16 to 850 times the error.

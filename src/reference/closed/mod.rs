@@ -26,10 +26,9 @@ mod translation;
 use nalgebra::Vector3;
 
 use super::nudge::{DIRECTIONS, nudged};
-use super::sources::Spread;
 use crate::model::body::Shape;
 use crate::model::forces::Law;
-use crate::model::{Snapshot, System, difference};
+use crate::model::{PerQuantity, Snapshot, System, difference};
 use crate::rotation::{self, Rotation};
 
 /// A motion in closed form at some times.
@@ -40,7 +39,7 @@ pub struct Closed {
     /// One for each time.
     pub states: Vec<Snapshot>,
     /// What the roundings of each may come to, largest so far.
-    pub uncertainty: Vec<Spread>,
+    pub uncertainty: Vec<PerQuantity<f64>>,
 }
 
 /// The motion of `system` at `times` [s]; `None` where no closed form fits, or it is not finite.
@@ -58,11 +57,11 @@ pub fn solve(system: &System, times: &[f64]) -> Option<Closed> {
             Form::of(&system).map(|form| (system, form))
         })
         .collect();
-    let mut largest = [0.0; 6];
+    let mut largest = PerQuantity::all(0.0);
     let uncertainty = states.iter().map(|state| {
         for (other, form) in &nudged {
             let apart = difference(&system.body, state, &form.at(other, state.time));
-            largest = std::array::from_fn(|i| (2.0 * apart[i]).max(largest[i]));
+            largest = apart.map(|apart| 2.0 * apart).max(largest);
         }
         largest
     });

@@ -5,10 +5,9 @@ use nalgebra::{Matrix3, Vector3};
 use super::double_double::DoubleDouble;
 use super::problem::{Problem, SHOWN};
 use super::taylor::{self, Control};
-use crate::model::{Quantity, Snapshot, System};
+use crate::model::{PerQuantity, Quantity, Snapshot, System};
 use crate::ode::SolverError;
 use crate::ode::run;
-use crate::reference::sources::Spread;
 use crate::rotation;
 
 /// Bound of the error over the largest difference of the two runs so far.
@@ -46,8 +45,8 @@ pub struct Moment {
     pub angular_velocity: [DoubleDouble; 3],
     /// L about the origin [kg m²/s].
     pub angular_momentum: [DoubleDouble; 3],
-    /// Bound of the error of each quantity, in the order of [`crate::model::Quantity::ALL`].
-    pub error: Spread,
+    /// Bound of the error of each quantity.
+    pub error: PerQuantity<f64>,
 }
 
 /// A motion to many digits.
@@ -59,8 +58,8 @@ pub struct Motion {
     pub runs: [(usize, usize); 2],
     /// Contacts with the ground that were made or lost in the run.
     pub switches: usize,
-    /// What position [m], velocity [m/s], orientation, Ω [rad/s] and L [kg m²/s] of the scene come to, to a power of two.
-    scales: [f64; 5],
+    /// What each quantity of the scene comes to, to a power of two; nothing of a body point.
+    scales: PerQuantity<f64>,
 }
 
 /// The motion of `system` at increasing `times` [s], given up where a run would take more than `most_work`
@@ -84,28 +83,35 @@ fn compared(
     let (problem, nudged) = (problem(0.0), problem(NUDGE));
     let fine = taylor::along(&problem, times, &controls[0], most_work)?;
     let coarse = taylor::along(&nudged, times, &controls[1], most_work)?;
-    let mut largest: Spread = [0.0; 6];
+    let mut largest = PerQuantity::all(0.0);
     let moments = times
         .iter()
         .zip(fine.states.iter().zip(&coarse.states))
         .map(|(time, (fine, coarse))| {
             let mut moment = moment_of(&problem, *time, fine);
             let other = moment_of(&nudged, *time, coarse);
-            let apart = apart(system, &moment, &other);
-            largest = std::array::from_fn(|i| apart[i].max(largest[i]));
+            largest = apart(system, &moment, &other).max(largest);
             moment.error = bound(system, &moment, &largest);
             moment
         })
         .collect();
     let runs = [(controls[0].order, fine.steps), (controls[1].order, coarse.steps)];
     let momentum = problem.scale.momentum * problem.scale.unit([1, 2, -1]);
-    let scales = [
-        system.body.extent(),
-        problem.scale.speed * problem.scale.unit([0, 1, -1]),
-        1.0,
-        if system.body.moments.amax() > 0.0 { momentum / system.body.moments.amax() } else { 0.0 },
-        momentum,
-    ];
+    let moment = system.body.moments.amax();
+    let scales = PerQuantity::of(|quantity| match quantity {
+        Quantity::Position => system.body.extent(),
+        Quantity::Velocity => problem.scale.speed * problem.scale.unit([0, 1, -1]),
+        Quantity::Orientation => 1.0,
+        Quantity::AngularVelocity => {
+            if moment > 0.0 {
+                momentum / moment
+            } else {
+                0.0
+            }
+        }
+        Quantity::AngularMomentum => momentum,
+        Quantity::BodyPoint => 0.0,
+    });
     Ok(Motion { moments, runs, switches: fine.switches, scales })
 }
 
@@ -123,26 +129,26 @@ fn moment_of(problem: &Problem, time: f64, state: &[DoubleDouble]) -> Moment {
         axes: [6, 9, 12].map(|first| triple(first, [0, 0, 0])),
         angular_velocity: triple(15, [0, 0, -1]),
         angular_momentum: triple(18, [1, 2, -1]),
-        error: [0.0; 6],
+        error: PerQuantity::all(0.0),
     }
 }
 
-fn bound(system: &System, moment: &Moment, largest: &Spread) -> Spread {
+fn bound(system: &System, moment: &Moment, largest: &PerQuantity<f64>) -> PerQuantity<f64> {
     let size = |v: &[DoubleDouble; 3]| v.iter().map(|x| x.high.abs()).fold(0.0, f64::max);
     let position = size(&moment.position);
-    let sizes = [
-        position,
-        size(&moment.velocity),
-        1.0,
-        size(&moment.angular_velocity),
-        size(&moment.angular_momentum),
-        position + system.body.extent(),
-    ];
-    std::array::from_fn(|i| DIFFERENCE * largest[i] + ROUNDING * sizes[i])
+    let sizes = PerQuantity::of(|quantity| match quantity {
+        Quantity::Position => position,
+        Quantity::Velocity => size(&moment.velocity),
+        Quantity::Orientation => 1.0,
+        Quantity::AngularVelocity => size(&moment.angular_velocity),
+        Quantity::AngularMomentum => size(&moment.angular_momentum),
+        Quantity::BodyPoint => position + system.body.extent(),
+    });
+    largest.zip(sizes).map(|(largest, size)| DIFFERENCE * largest + ROUNDING * size)
 }
 
 /// The difference of two moments, quantity by quantity; of orientations, that of the matrices as an angle.
-fn apart(system: &System, a: &Moment, b: &Moment) -> Spread {
+fn apart(system: &System, a: &Moment, b: &Moment) -> PerQuantity<f64> {
     let vector = |a: &[DoubleDouble; 3], b: &[DoubleDouble; 3]| {
         Vector3::from(std::array::from_fn::<f64, 3, _>(|i| (a[i] - b[i]).high))
     };
@@ -154,15 +160,18 @@ fn apart(system: &System, a: &Moment, b: &Moment) -> Spread {
     let point =
         farthest.map(|x| rotation::length(&(shift + turn * x))).fold(rotation::length(&shift), f64::max);
     let size = |a, b| rotation::length(&vector(a, b));
-    [
-        rotation::length(&shift),
-        size(&a.velocity, &b.velocity),
+    PerQuantity::of(|quantity| match quantity {
+        Quantity::Position => rotation::length(&shift),
+        Quantity::Velocity => size(&a.velocity, &b.velocity),
         // |R − R'|_F = 2 √2 sin(θ/2).
-        turn.norm() / 2f64.sqrt(),
-        size(&a.angular_velocity, &b.angular_velocity),
-        size(&a.angular_momentum, &b.angular_momentum),
-        if body.points.is_empty() { rotation::length(&shift) + turn.norm() * body.extent() } else { point },
-    ]
+        Quantity::Orientation => turn.norm() / 2f64.sqrt(),
+        Quantity::AngularVelocity => size(&a.angular_velocity, &b.angular_velocity),
+        Quantity::AngularMomentum => size(&a.angular_momentum, &b.angular_momentum),
+        Quantity::BodyPoint if body.points.is_empty() => {
+            rotation::length(&shift) + turn.norm() * body.extent()
+        }
+        Quantity::BodyPoint => point,
+    })
 }
 
 impl Motion {
@@ -174,15 +183,17 @@ impl Motion {
         // A body that comes to rest keeps the error, but not the size.
         let mut sizes = self.scales;
         let ratios = self.moments.iter().flat_map(|moment| {
-            let now = [
-                size(&moment.position).max(extent),
-                size(&moment.velocity).max(extent * size(&moment.angular_velocity)),
-                1.0,
-                size(&moment.angular_velocity),
-                size(&moment.angular_momentum),
-            ];
-            sizes = std::array::from_fn(|i| now[i].max(sizes[i]));
-            std::array::from_fn::<(f64, f64), 5, _>(|i| (sizes[i], moment.error[i]))
+            let now = PerQuantity::of(|quantity| match quantity {
+                Quantity::Position => size(&moment.position).max(extent),
+                Quantity::Velocity => size(&moment.velocity).max(extent * size(&moment.angular_velocity)),
+                Quantity::Orientation => 1.0,
+                Quantity::AngularVelocity => size(&moment.angular_velocity),
+                Quantity::AngularMomentum => size(&moment.angular_momentum),
+                // It is made of position and orientation.
+                Quantity::BodyPoint => 0.0,
+            });
+            sizes = now.max(sizes);
+            sizes.zip(moment.error).into_iter().map(|(_, pair)| pair)
         });
         let worst =
             ratios.filter(|(size, _)| *size > 0.0).map(|(size, error)| error / size).fold(0.0, f64::max);
@@ -194,11 +205,7 @@ impl Motion {
 impl Moment {
     /// Bound of the error of a quantity.
     pub fn bound(&self, quantity: Quantity) -> f64 {
-        Quantity::ALL
-            .iter()
-            .zip(self.error)
-            .find(|(q, _)| **q == quantity)
-            .map_or(f64::INFINITY, |(_, bound)| bound)
+        self.error[quantity]
     }
 
     /// The same, rounded to f64.
@@ -257,8 +264,9 @@ mod tests {
             assert_ne!(usual.runs, other.runs);
             for (a, b) in usual.moments.iter().zip(&other.moments) {
                 let apart = apart(&system, a, b);
-                for (i, apart) in apart.iter().enumerate() {
-                    assert!(*apart <= a.error[i] + b.error[i], "{height}, {} s, {i}: {apart:e}", a.time);
+                for (quantity, apart) in apart {
+                    let bound = a.error[quantity] + b.error[quantity];
+                    assert!(apart <= bound, "{height}, {} s, {quantity:?}: {apart:e}", a.time);
                 }
             }
         }

@@ -38,8 +38,6 @@ pub struct Question {
     pub quantity: Quantity,
     /// Its largest error over the run, in its unit.
     pub tolerance: f64,
-    /// Number of its error in the order of [`Quantity::ALL`].
-    index: usize,
     reference: Reference,
 }
 
@@ -124,14 +122,13 @@ impl Question {
             None
         };
         let reference = Reference::of(&scene.system, duration, SAMPLES, known.as_ref())?;
-        let index = Quantity::ALL.iter().position(|one| *one == quantity).unwrap_or_default();
-        let uncertainty = reference.largest_uncertainty()[index];
+        let uncertainty = reference.largest_uncertainty()[quantity];
         let least = uncertainty / search::CLEAR;
         if tolerance < least {
             let unit = quantity.unit();
             return Err(QuestionError::TooFine { tolerance, uncertainty, least, unit });
         }
-        Ok(Question { system: scene.system.clone(), duration, quantity, tolerance, index, reference })
+        Ok(Question { system: scene.system.clone(), duration, quantity, tolerance, reference })
     }
 
     /// Asks every scheme, in parallel; then times those that meet the tolerance, alone.
@@ -152,7 +149,7 @@ impl Question {
     /// The run of a plan: the largest error of the quantity; infinite where the run breaks.
     fn error(&self, states: &[Snapshot]) -> f64 {
         let sight = Sight { system: &self.system, reference: &self.reference, states };
-        measure::errors(&sight)[self.index].max
+        measure::errors(&sight)[self.quantity].max
     }
 
     fn ask_one(&self, contestant: &Contestant) -> Result<Advice, Unmet> {

@@ -215,10 +215,8 @@ impl Sweep {
         outcome: &Outcome,
     ) -> Row {
         let whole = outcome.broken.is_none();
-        let error = kept.last.zip(place.truth).filter(|_| whole).map(|(end, truth)| {
-            let index = Quantity::ALL.iter().position(|one| *one == self.quantity).unwrap_or_default();
-            difference(&system.body, &end, &truth)[index]
-        });
+        let ends = kept.last.zip(place.truth).filter(|_| whole);
+        let error = ends.map(|(end, truth)| difference(&system.body, &end, &truth)[self.quantity]);
         Row {
             scheme: contestant.card.name,
             values: place.values.clone(),

@@ -4,7 +4,7 @@ use nalgebra::Matrix3;
 use polhode::internals::reference::closed;
 use polhode::internals::rotation::{self, Rotation};
 use polhode::model::body::Body;
-use polhode::model::{Spin, System, difference};
+use polhode::model::{Quantity, Spin, System, difference};
 
 use super::known::{UNITS, V, amplification, exact, radians};
 
@@ -80,7 +80,7 @@ fn a_free_body_of_any_kind_is_covered_at_any_time() {
             let (turned, amplified) = (radians(&exact), amplification(&system, &exact));
             let found = closed::solve(&system, &times).expect("a closed form");
             for (j, (state, exact)) in found.states.iter().zip(&exact).enumerate() {
-                let error = difference(&system.body, state, exact)[2];
+                let error = difference(&system.body, state, exact)[Quantity::Orientation];
                 let scale = f64::EPSILON * (1.0 + turned[j]).max(amplified[j]);
                 println!("{name} after {:.2e} rad: {:.2} units", turned[j], error / scale);
                 assert!(error <= UNITS * scale, "{name} after {} rad: {error:e}", turned[j]);

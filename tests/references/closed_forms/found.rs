@@ -2,7 +2,7 @@
 
 use polhode::internals::reference::closed;
 use polhode::internals::rotation;
-use polhode::model::difference;
+use polhode::model::{PerQuantity, Quantity, difference};
 use polhode::scenes;
 
 use super::known::{UNITS, amplification, exact, grid, radians};
@@ -43,25 +43,26 @@ fn closed_forms_are_good_to_a_few_units_a_radian_and_say_so() {
         for (j, state) in found.states.iter().enumerate() {
             let error = difference(&scene.system.body, state, &exact[j]);
             let bound = UNITS * f64::EPSILON * (1.0 + turned[j]).max(amplified[j]);
-            worst = worst.max(UNITS * error[2] / bound);
-            assert!(error[2] <= bound, "{} at {} s: {:e} > {bound:e}", scene.name, times[j], error[2]);
-            let sizes = [
+            worst = worst.max(UNITS * error[Quantity::Orientation] / bound);
+            assert!(
+                error[Quantity::Orientation] <= bound,
+                "{} at {} s: {:e} > {bound:e}",
+                scene.name,
+                times[j],
+                error[Quantity::Orientation]
+            );
+            let sizes = PerQuantity::from([
                 rotation::length(&exact[j].position) + scene.system.body.extent(),
                 rotation::length(&exact[j].velocity),
                 1.0,
                 rotation::length(&exact[j].angular_velocity),
                 rotation::length(&exact[j].angular_momentum),
                 rotation::length(&exact[j].position) + scene.system.body.extent(),
-            ];
-            for i in 0..6 {
-                let stated = found.uncertainty[j][i] + 4.0 * f64::EPSILON * sizes[i];
-                assert!(
-                    error[i] <= stated,
-                    "{} at {} s, {i}: {:e} > {stated:e}",
-                    scene.name,
-                    times[j],
-                    error[i]
-                );
+            ]);
+            for (quantity, error) in error {
+                let stated = found.uncertainty[j][quantity] + 4.0 * f64::EPSILON * sizes[quantity];
+                let place = format!("{} at {} s, {quantity:?}", scene.name, times[j]);
+                assert!(error <= stated, "{place}: {error:e} > {stated:e}");
             }
         }
         println!("{}: {worst:.2} units", scene.name);

@@ -5,7 +5,7 @@ use polhode::internals::reference::precise::{self, AFFORDABLE, Moment};
 use polhode::internals::rotation;
 use polhode::model::body::{Body, MassPoint};
 use polhode::model::forces::{Forces, Gravity, Law};
-use polhode::model::{Snapshot, Spin, System, difference};
+use polhode::model::{Quantity, Snapshot, Spin, System, difference};
 
 pub type V = Vector3<f64>;
 
@@ -91,7 +91,7 @@ pub fn amplification(system: &System, states: &[Snapshot]) -> Vec<f64> {
     let mut largest = vec![0.0f64; times.len()];
     for other in moved(system) {
         for (j, (a, b)) in exact(&other, &times).iter().zip(states).enumerate() {
-            largest[j] = largest[j].max(difference(&system.body, a, b)[2] / CHANGE);
+            largest[j] = largest[j].max(difference(&system.body, a, b)[Quantity::Orientation] / CHANGE);
         }
     }
     largest

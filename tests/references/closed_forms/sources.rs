@@ -1,6 +1,7 @@
 //! A closed form among the other sources of a reference.
 
 use polhode::internals::reference::{Reference, Role, closed};
+use polhode::model::Quantity;
 
 use crate::common::scene;
 
@@ -18,7 +19,7 @@ fn a_run_too_long_for_the_series_rests_on_its_closed_form() {
     assert_eq!(told, expected);
     let state = reference.states.last().expect("a state");
     assert_eq!(*state, closed::solve(&scene.system, &[16384.0]).expect("a closed form").states[0]);
-    let largest = reference.largest_uncertainty()[2];
+    let largest = reference.largest_uncertainty()[Quantity::Orientation];
     assert!(largest > 1e-13 && largest < 1e-9, "{largest:e}");
 }
 
@@ -27,8 +28,11 @@ fn a_run_too_long_for_the_series_rests_on_its_closed_form() {
 fn sources_that_contradict_each_other_show_in_the_uncertainty() {
     let mut system = scene("free-asymmetric").system;
     let sound = Reference::of(&system, 8.0, 16, None).expect("a reference").largest_uncertainty();
-    assert!(sound[2] < 1e-14, "{sound:?}");
+    assert!(sound[Quantity::Orientation] < 1e-14, "{sound:?}");
     system.body.moments.x *= 1.0 + 1e-6;
     let closed_is_wrong = Reference::of(&system, 8.0, 16, None).expect("a reference").largest_uncertainty();
-    assert!(closed_is_wrong[2] > 1e-7 && closed_is_wrong[2] < 1e-4, "{closed_is_wrong:?}");
+    assert!(
+        closed_is_wrong[Quantity::Orientation] > 1e-7 && closed_is_wrong[Quantity::Orientation] < 1e-4,
+        "{closed_is_wrong:?}"
+    );
 }
