@@ -15,6 +15,7 @@ mod exactness;
 mod excuses;
 mod flips;
 mod orders;
+mod programs;
 mod sameness;
 mod statistics;
 mod tolerances;
