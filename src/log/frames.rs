@@ -7,7 +7,7 @@
 
 use nalgebra::{Quaternion, Vector3};
 
-use super::log::{Part, Row};
+use super::file::{Part, Row};
 use crate::rotation::{self, Rotation};
 
 /// Pairs of rows that are looked at.

@@ -9,8 +9,8 @@ use std::f64::consts::PI;
 
 use nalgebra::Vector3;
 
+use super::file::{COLUMNS, Part};
 use super::frames::{Convention, FrameCheck};
-use super::log::{COLUMNS, Part};
 
 /// What may be left of a quantity that a unit explains, relative.
 const LEFT: f64 = 0.1;

@@ -3,8 +3,8 @@
 use nalgebra::{Quaternion, Vector3};
 use rayon::prelude::*;
 
+use super::file::{Log, Part, Row};
 use super::hints::{Orientations, Sums};
-use super::log::{Log, Part, Row};
 use super::track::Track;
 use super::{Convention, Finding, Value};
 use crate::model::{PerQuantity, Quantity, Snapshot, System, difference};
@@ -155,7 +155,7 @@ fn drifts(reader: &Reader, gathered: &Gathered) -> Vec<Finding> {
 impl Reader<'_> {
     fn needs(&self, parts: &[Part]) -> Result<(), String> {
         let missing = |part: &&Part| !self.log.has(**part);
-        let columns = |part: &Part| super::log::COLUMNS[part.columns()].join(", ");
+        let columns = |part: &Part| super::file::COLUMNS[part.columns()].join(", ");
         match parts.iter().find(missing) {
             Some(part) => Err(format!("it needs {}", columns(part))),
             None => Ok(()),

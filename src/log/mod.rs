@@ -7,7 +7,7 @@
 mod error;
 mod frames;
 mod hints;
-mod log;
+mod file;
 mod measure;
 mod times;
 mod track;
@@ -20,7 +20,7 @@ use crate::scenes::Scene;
 pub use error::JudgeError;
 pub use frames::{Convention, Fit, FrameCheck};
 
-use log::{Log, Part};
+use file::{Log, Part};
 use track::Track;
 
 /// Durations of the scene after which a log is no longer compared with it.
@@ -76,7 +76,7 @@ pub struct Judgement {
 /// # Errors
 /// [`JudgeError`]: it cannot be read, or is no trajectory.
 pub fn judge(path: &Path, scene: &Scene, declared: Convention) -> Result<Judgement, JudgeError> {
-    judge_log(log::read(path)?, scene, declared).map_err(|why| JudgeError::Content {
+    judge_log(file::read(path)?, scene, declared).map_err(|why| JudgeError::Content {
         file: path.display().to_string(),
         line: 2,
         why,
@@ -92,7 +92,7 @@ fn judge_log(mut log: Log, scene: &Scene, declared: Convention) -> Result<Judgem
     if log.rows.len() < all {
         log.notes.push(format!("{} rows are before t = 0 and were left out", all - log.rows.len()));
     }
-    let times: Vec<f64> = log.rows.iter().map(log::Row::time).collect();
+    let times: Vec<f64> = log.rows.iter().map(file::Row::time).collect();
     let examined = times::examine(&log.rows);
     let both = log.has(Part::Orientation) && log.has(Part::Spin);
     let last = times.iter().copied().fold(0.0, f64::max);

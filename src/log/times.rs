@@ -1,6 +1,6 @@
 //! The times of a log: their spacing, gaps, repeats and steps back.
 
-use super::log::Row;
+use super::file::Row;
 
 /// Times the usual spacing from which on a pause is a gap.
 const GAP: f64 = 3.0;
