@@ -6,7 +6,7 @@
 use crate::campaign::Campaign;
 use crate::claim::Claim;
 use crate::gates::Baseline;
-use crate::record::{Ruling, Verdict};
+use crate::record::{ClaimName, Ruling, Verdict};
 use crate::scenes::{Scene, SceneError};
 use crate::schemes::{Scheme, TurningScheme};
 use crate::simulate::Contestant;
@@ -79,7 +79,7 @@ fn complaint(name: &str, order: u32, scenes: &[&str], verdicts: &[Verdict]) -> O
 }
 
 fn is_of_order(verdict: &Verdict) -> bool {
-    verdict.claim == "order"
+    verdict.claim == ClaimName::Order
 }
 
 /// The median of the orders that are wrong, and how many are.
@@ -119,8 +119,7 @@ mod tests {
 
     fn verdict(scene: &str, quantity: usize, verdict: Ruling, measured: Option<f64>) -> Verdict {
         let (scene, quantity) = (scene.to_owned(), format!("quantity-{quantity}"));
-        let claim = "order".to_owned();
-        Verdict { scene, scheme: "mine".to_owned(), claim, quantity, verdict, measured, ..Verdict::default() }
+        Verdict { scene, scheme: "mine".to_owned(), quantity, verdict, measured, ..Verdict::default() }
     }
 
     fn of_first_order(scene: &str, quantities: usize) -> Vec<Verdict> {
@@ -154,7 +153,11 @@ mod tests {
         assert!(complaint("mine", 2, &["one"], &none).is_some());
         let passed = verdict("one", 0, Ruling::Pass, Some(2.0));
         assert!(complaint("mine", 2, &["one"], std::slice::from_ref(&passed)).is_none());
-        let reference = Verdict { scheme: "reference".to_owned(), ..Verdict::default() };
+        let reference = Verdict {
+            scheme: "reference".to_owned(),
+            claim: ClaimName::ReferencesAgree,
+            ..Verdict::default()
+        };
         assert!(complaint("mine", 2, &["one"], &[passed, reference]).is_some());
     }
 

@@ -4,6 +4,7 @@
 use std::fmt;
 
 pub use crate::model::Quantity;
+use crate::record::ClaimName;
 
 /// Scenes that a promise of exactness is made for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,21 +88,21 @@ pub enum Claim {
 
 impl Claim {
     /// Name of the claim in verdicts.
-    pub fn name(self) -> &'static str {
+    pub fn name(self) -> ClaimName {
         match self {
-            Claim::Order(_) => "order",
-            Claim::OrderWithoutTorque(_) => "order-without-torque",
-            Claim::FollowsTolerance(_) => "follows-tolerance",
-            Claim::Exact(..) => "exact",
-            Claim::Energy(_) => "energy",
-            Claim::VerticalMomentum => "vertical-momentum",
-            Claim::FlipTimes => "flip-times",
-            Claim::Rigid => "rigid",
-            Claim::Reversible => "reversible",
-            Claim::Symplectic => "symplectic",
-            Claim::Equivariant => "equivariant",
-            Claim::Evaluations(_) => "evaluations",
-            Claim::Solves(_) => "solves",
+            Claim::Order(_) => ClaimName::Order,
+            Claim::OrderWithoutTorque(_) => ClaimName::OrderWithoutTorque,
+            Claim::FollowsTolerance(_) => ClaimName::FollowsTolerance,
+            Claim::Exact(..) => ClaimName::Exact,
+            Claim::Energy(_) => ClaimName::Energy,
+            Claim::VerticalMomentum => ClaimName::VerticalMomentum,
+            Claim::FlipTimes => ClaimName::FlipTimes,
+            Claim::Rigid => ClaimName::Rigid,
+            Claim::Reversible => ClaimName::Reversible,
+            Claim::Symplectic => ClaimName::Symplectic,
+            Claim::Equivariant => ClaimName::Equivariant,
+            Claim::Evaluations(_) => ClaimName::Evaluations,
+            Claim::Solves(_) => ClaimName::Solves,
         }
     }
 }

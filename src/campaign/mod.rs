@@ -20,7 +20,7 @@ use rayon::prelude::*;
 
 use crate::gates::{self, Baseline};
 use crate::interrupt;
-use crate::record::{Machine, Records, Ruling, SCHEMA, Verdict};
+use crate::record::{ClaimName, Machine, Records, Ruling, SCHEMA, Verdict};
 use crate::reference::{Reference, ReferenceError, stored};
 use crate::scenes::Scene;
 use crate::simulate::Contestant;
@@ -158,7 +158,7 @@ fn judge_reference(prepared: &Prepared) -> Option<Verdict> {
         Err(error) => Verdict {
             scene: scene.name.clone(),
             scheme: "reference".to_owned(),
-            claim: "references-agree".to_owned(),
+            claim: ClaimName::ReferencesAgree,
             quantity: "all".to_owned(),
             verdict: Ruling::Inconclusive,
             detail: format!("no reference solution, so nothing was judged in this scene: {error}"),

@@ -5,7 +5,9 @@ use crate::measure::regression::Ladder;
 use crate::measure::{self, EnergyDrift, Evidence, Place, QuantityLadder, Rung};
 use crate::model::{Quantity, Snapshot, System};
 use crate::record::stability::Stability;
-use crate::record::{Drift, EngineRow, Measurement, Order, ReferenceRow, SceneRow, SchemeRow, Series};
+use crate::record::{
+    Drift, EngineRow, Measurement, Order, OrderStatus, ReferenceRow, RunStatus, SceneRow, SchemeRow, Series,
+};
 use crate::reference::Reference;
 use crate::rotation;
 use crate::scenes::Scene;
@@ -88,7 +90,7 @@ fn rung_rows(names: &Names, rung: &Rung, nanoseconds_per_step: Option<f64>) -> V
         model: names.model.to_owned(),
         step_s: rung.step,
         steps: rung.steps,
-        status: if outcome.broken.is_some() { "broken" } else { "ok" }.to_owned(),
+        status: if outcome.broken.is_some() { RunStatus::Broken } else { RunStatus::Ok },
         why: outcome.broken.as_ref().map(ToString::to_string),
         force_evaluations: outcome.evaluations,
         nanoseconds_per_step,
@@ -129,7 +131,7 @@ pub(super) fn not_applicable(names: &Names, reason: &str) -> Measurement {
         model: names.model.to_owned(),
         metric: "all".to_owned(),
         unit: "1".to_owned(),
-        status: "not-applicable".to_owned(),
+        status: RunStatus::NotApplicable,
         why: Some(reason.to_owned()),
         ..Measurement::default()
     }
@@ -141,15 +143,19 @@ pub(super) fn orders(names: &Names, evidence: &Evidence) -> Vec<Order> {
 
 fn order(names: &Names, ladder: &QuantityLadder) -> Order {
     let (status, why, used) = match &ladder.ladder {
-        Ladder::Window { rungs, .. } => ("fitted", None, rungs.clone()),
-        Ladder::Exact => {
-            ("exact", Some("every rung is at the floor of rounding and reference".to_owned()), 0..0)
-        }
+        Ladder::Window { rungs, .. } => (OrderStatus::Fitted, None, rungs.clone()),
+        Ladder::Exact => (
+            OrderStatus::Exact,
+            Some("every rung is at the floor of rounding and reference".to_owned()),
+            0..0,
+        ),
         Ladder::TooFew { clear } => {
-            ("too-few", Some(format!("{clear} rungs clear of the floor, 4 needed")), 0..0)
+            (OrderStatus::TooFew, Some(format!("{clear} rungs clear of the floor, 4 needed")), 0..0)
         }
-        Ladder::Unsettled => ("unsettled", Some("no three successive slopes agree to 0.15".to_owned()), 0..0),
-        Ladder::Broken => ("broken", Some("the finest run broke".to_owned()), 0..0),
+        Ladder::Unsettled => {
+            (OrderStatus::Unsettled, Some("no three successive slopes agree to 0.15".to_owned()), 0..0)
+        }
+        Ladder::Broken => (OrderStatus::Broken, Some("the finest run broke".to_owned()), 0..0),
     };
     let fit = ladder.fit();
     Order {
@@ -165,7 +171,7 @@ fn order(names: &Names, ladder: &QuantityLadder) -> Order {
         steps_used_s: ladder.rungs[used].iter().map(|rung| rung.0).collect(),
         floor: ladder.rungs.last().and_then(|rung| finite(rung.2)),
         unit: ladder.quantity.unit().to_owned(),
-        status: status.to_owned(),
+        status,
         why,
     }
 }
@@ -176,7 +182,7 @@ pub(super) fn drift(names: &Names, drift: &EnergyDrift) -> Drift {
         scene: names.scene.to_owned(),
         scheme: names.scheme.to_owned(),
         quantity: "rotational-energy".to_owned(),
-        class: drift.class.word().to_owned(),
+        class: drift.class,
         rate_order: drift.order.map(|fit| fit.slope),
         low: drift.order.map(|fit| fit.low),
         high: drift.order.map(|fit| fit.high),
@@ -198,7 +204,7 @@ pub(super) fn drift_rates(names: &Names, drift: &EnergyDrift) -> Vec<Measurement
         value: finite(value),
         unit: unit.to_owned(),
         uncertainty: finite(uncertainty),
-        status: "ok".to_owned(),
+        status: RunStatus::Ok,
         force_evaluations: rung.evaluations,
         ..Measurement::default()
     };

@@ -9,7 +9,7 @@ use crate::interrupt;
 use crate::model::body::{Body, MassPoint};
 use crate::model::forces::{Drag, Law, PerPoint};
 use crate::model::{Spin, System};
-use crate::record::{Records, ScalingRow};
+use crate::record::{Grows, Records, ScalingRow};
 use crate::rotation::Rotation;
 use crate::scenes::Scene;
 use crate::simulate::{Contestant, Form};
@@ -80,7 +80,7 @@ fn with_points(contestant: &Contestant, most: usize) -> Vec<ScalingRow> {
             let costs = cost::measure(&[course(Form::Points), course(Form::Least)]);
             for (form, cost) in ["points", "reduced"].into_iter().zip(costs) {
                 rows.extend(cost.map(|cost| ScalingRow {
-                    what: "points".to_owned(),
+                    what: Grows::Points,
                     scheme: contestant.card.name.to_owned(),
                     form: format!("{form}, {load}"),
                     threads: 1,
@@ -120,7 +120,7 @@ fn with_cells(contestants: &[Contestant]) -> Vec<ScalingRow> {
             let begun = Instant::now();
             pool.install(|| campaign.run());
             rows.push(ScalingRow {
-                what: "cells".to_owned(),
+                what: Grows::Cells,
                 scheme: String::new(),
                 form: String::new(),
                 threads: *threads,

@@ -148,7 +148,7 @@ fn claims() -> Table {
     let mut rows: Vec<Vec<String>> = Vec::new();
     for contestant in Contestant::everyone() {
         for claim in contestant.card.claims {
-            rows.push(vec![contestant.card.name.to_owned(), claim.name().to_owned(), claim.to_string()]);
+            rows.push(vec![contestant.card.name.to_owned(), claim.name().to_string(), claim.to_string()]);
         }
     }
     table(&["scheme", "claim", "what it promises"], rows)

@@ -8,7 +8,7 @@ use serde_json::json;
 
 use super::{Failure, select};
 use crate::model::{Snapshot, System};
-use crate::record::WholeFile;
+use crate::record::{RunStatus, WholeFile};
 use crate::scenes::Scene;
 use crate::simulate::{Form, Outcome, Plan};
 
@@ -240,7 +240,7 @@ impl StateWriter<'_> {
         }
         self.open()?;
         if let Format::Json = self.format {
-            let status = if outcome.broken.is_some() { "broken" } else { "ok" };
+            let status = if outcome.broken.is_some() { RunStatus::Broken } else { RunStatus::Ok };
             let why = outcome.broken.as_ref().map(ToString::to_string);
             writeln!(
                 self.sink,

@@ -177,7 +177,7 @@ fn random_summary(seed: u64, findings: &self_test::random::Findings) -> String {
     let mut groups: BTreeMap<(u64, &str, &str), Vec<&Verdict>> = BTreeMap::new();
     for finding in &findings.against {
         let verdict = &finding.verdict;
-        groups.entry((finding.number, &verdict.scheme, &verdict.claim)).or_default().push(verdict);
+        groups.entry((finding.number, &verdict.scheme, verdict.claim.word())).or_default().push(verdict);
     }
     for ((number, scheme, claim), verdicts) in groups.iter().take(MOST_SHOWN) {
         let (first, more) = (verdicts[0], verdicts.len() - 1);

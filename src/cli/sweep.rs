@@ -172,7 +172,7 @@ fn csv(sweep: &Sweep, rows: &[Row]) -> String {
     for row in rows {
         let mut fields = vec![row.scheme.to_owned()];
         fields.extend(row.values.iter().map(f64::to_string));
-        fields.extend([row.step.to_string(), row.steps.to_string(), row.status.to_owned()]);
+        fields.extend([row.step.to_string(), row.steps.to_string(), row.status.to_string()]);
         fields.extend([row.why.clone().unwrap_or_default(), number(row.error), number(row.energy)]);
         fields.push(row.evaluations.to_string());
         writer.write_record(&fields).expect("rows are of one length");

@@ -9,11 +9,11 @@ use super::{Case, ruled};
 use crate::measure::{ByRule, Cause, Decision, Doubt, Order};
 use crate::model::Quantity;
 use crate::model::body::Shape;
-use crate::record::{Ruling, Verdict};
+use crate::record::{ClaimName, Ruling, Verdict};
 
 pub(super) fn judge(case: &Case, by_rule: &ByRule) -> Vec<Verdict> {
     if let Some(why) = all_broke(case) {
-        return vec![ruled(case, "order", "all", Ruling::Broken, why)];
+        return vec![ruled(case, ClaimName::Order, "all", Ruling::Broken, why)];
     }
     let order = super::order_here(case, case.card.order());
     let judged = Quantity::ALL.into_iter().filter(|quantity| !does_not_turn(case, *quantity));
@@ -27,12 +27,12 @@ pub(super) fn judge(case: &Case, by_rule: &ByRule) -> Vec<Verdict> {
         let words = by_rule.cause.map(Cause::words);
         let detail = words
             .map_or("no hypothesis explains the run".to_owned(), |words| format!("likeliest cause: {words}"));
-        verdicts.push(ruled(case, "converges", "cause", Ruling::NotApplicable, detail));
+        verdicts.push(ruled(case, ClaimName::Converges, "cause", Ruling::NotApplicable, detail));
     }
     if case.card.order() == 0 && case.not_for_order.is_none() {
         let detail =
             "the program claims no order, so none was judged: --order P says which one to hold it to";
-        verdicts.push(ruled(case, "order", "all", Ruling::Inconclusive, detail));
+        verdicts.push(ruled(case, ClaimName::Order, "all", Ruling::Inconclusive, detail));
     }
     verdicts
 }
@@ -63,7 +63,7 @@ fn judge_start(case: &Case, quantity: Quantity, apart: f64, allowed: f64) -> Opt
         measured: Some(apart),
         low: Some(0.0),
         high: Some(allowed),
-        ..ruled(case, "start", quantity.name(), Ruling::Fail, detail)
+        ..ruled(case, ClaimName::Start, quantity.name(), Ruling::Fail, detail)
     })
 }
 
@@ -76,15 +76,15 @@ fn judge_decision(case: &Case, quantity: Quantity, order: u32, decision: &Decisi
                 "the error stays at {error:.4} {unit} however small the step: another motion is solved (the two finest runs differ \
                  by {apart:.1e} {unit}, h = {step:.1e} s, up to t = {until} s)"
             );
-            let verdict = ruled(case, "converges", name, Ruling::Fail, detail);
+            let verdict = ruled(case, ClaimName::Converges, name, Ruling::Fail, detail);
             vec![Verdict { measured: Some(*error), low: Some(0.0), ..verdict }]
         }
         Decision::Exact => {
             let detail = "every error is at its rounding: there is no order to measure";
-            vec![ruled(case, "order", name, Ruling::NotApplicable, detail)]
+            vec![ruled(case, ClaimName::Order, name, Ruling::NotApplicable, detail)]
         }
         Decision::Order(found) => {
-            let converges = ruled(case, "converges", name, Ruling::Pass, words(found));
+            let converges = ruled(case, ClaimName::Converges, name, Ruling::Pass, words(found));
             std::iter::once(converges).chain(judge_order(case, name, order, found)).collect()
         }
         Decision::Undecided(doubt) => {
@@ -92,7 +92,7 @@ fn judge_decision(case: &Case, quantity: Quantity, order: u32, decision: &Decisi
                 Some(reason) => (Ruling::NotApplicable, format!("{reason}; {}", doubted(doubt))),
                 None => (Ruling::Inconclusive, doubted(doubt)),
             };
-            vec![ruled(case, "order", name, ruling, words)]
+            vec![ruled(case, ClaimName::Order, name, ruling, words)]
         }
     }
 }
@@ -116,7 +116,7 @@ fn judge_order(case: &Case, name: &str, order: u32, found: &Order) -> Option<Ver
         measured: Some(found.slope),
         low: Some(low),
         high: Some(high),
-        ..ruled(case, "order", name, ruling, remark + &words(found))
+        ..ruled(case, ClaimName::Order, name, ruling, remark + &words(found))
     })
 }
 

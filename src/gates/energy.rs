@@ -3,8 +3,8 @@
 
 use super::{Case, at_most, ruled};
 use crate::claim::EnergyOfFreeBody;
-use crate::measure::{BAND, Class, EnergyDrift};
-use crate::record::{Ruling, Verdict};
+use crate::measure::{BAND, EnergyDrift};
+use crate::record::{ClaimName, DriftClass, Ruling, Verdict};
 
 /// Name of the rate's order.
 pub(super) const RATE: &str = "rotational-energy-rate";
@@ -12,15 +12,17 @@ pub(super) const RATE: &str = "rotational-energy-rate";
 pub(super) fn judge(case: &Case, claim: EnergyOfFreeBody) -> Vec<Verdict> {
     let Some(drift) = case.drift else {
         let detail = "the body is not free of torque, does not turn, is too near the separatrix for many periods, or a run broke";
-        return vec![ruled(case, "energy", "rotational-energy", Ruling::NotApplicable, detail)];
+        return vec![ruled(case, ClaimName::Energy, "rotational-energy", Ruling::NotApplicable, detail)];
     };
     match claim {
         EnergyOfFreeBody::GrowsSecularly { rate_order } => {
             vec![judge_rate(case, drift, rate_order, true), judge_bound(case, drift)]
         }
         EnergyOfFreeBody::Secular { rate_order } => vec![judge_rate(case, drift, rate_order, false)],
-        EnergyOfFreeBody::Bounded => vec![judge_class(case, drift, &[Class::Bounded, Class::Exact])],
-        EnergyOfFreeBody::Constant => vec![judge_class(case, drift, &[Class::Exact])],
+        EnergyOfFreeBody::Bounded => {
+            vec![judge_class(case, drift, &[DriftClass::Bounded, DriftClass::Exact])]
+        }
+        EnergyOfFreeBody::Constant => vec![judge_class(case, drift, &[DriftClass::Exact])],
         EnergyOfFreeBody::Falls => vec![judge_fall(case, drift)],
     }
 }
@@ -30,22 +32,22 @@ fn judge_bound(case: &Case, drift: &EnergyDrift) -> Verdict {
     let most = drift.rungs.iter().map(|r| r.of_largest).fold(0.0, f64::max);
     let rounding = drift.rungs.iter().map(|r| r.rounding).fold(0.0, f64::max);
     let detail = format!("largest E over L²/(2 I_min), the most that L allows: 1 {:+.2e}", most - 1.0);
-    at_most(case, "energy", "rotational-energy-bound", most, 1.0 + rounding, detail)
+    at_most(case, ClaimName::Energy, "rotational-energy-bound", most, 1.0 + rounding, detail)
 }
 
 /// One of the classes that the claim allows.
-fn judge_class(case: &Case, drift: &EnergyDrift, allowed: &[Class]) -> Verdict {
+fn judge_class(case: &Case, drift: &EnergyDrift, allowed: &[DriftClass]) -> Verdict {
     let shown = &drift.rungs[drift.shown];
     let verdict = match drift.class {
         class if allowed.contains(&class) => Ruling::Pass,
-        Class::Undecided => Ruling::Inconclusive,
+        DriftClass::Undecided => Ruling::Inconclusive,
         _ => Ruling::Fail,
     };
     Verdict {
         measured: Some(shown.level),
         ..ruled(
             case,
-            "energy",
+            ClaimName::Energy,
             "rotational-energy-drift",
             verdict,
             format!(
@@ -64,20 +66,20 @@ fn judge_class(case: &Case, drift: &EnergyDrift, allowed: &[Class]) -> Verdict {
 fn judge_fall(case: &Case, drift: &EnergyDrift) -> Verdict {
     let gain = drift.rungs.iter().map(|rung| rung.gain / rung.rounding).fold(0.0, f64::max);
     let detail = format!("largest gain of E over the start, in roundings of the run: {gain:.2}; at most 10");
-    at_most(case, "energy", "rotational-energy-gain", gain, 10.0, detail)
+    at_most(case, ClaimName::Energy, "rotational-energy-gain", gain, 10.0, detail)
 }
 
 fn judge_rate(case: &Case, drift: &EnergyDrift, rate_order: u32, grows: bool) -> Verdict {
     let name = RATE;
     let shown = &drift.rungs[drift.shown];
-    let control = case.control.and_then(|control| control.shows("energy", RATE));
+    let control = case.control.and_then(|control| control.shows(ClaimName::Energy, RATE));
     let rate = format!("rate {:.3e} 1/s at h = {:.3e} s", shown.rate, shown.step);
     match (drift.class, drift.order) {
-        (Class::Exact, _) => {
+        (DriftClass::Exact, _) => {
             let detail = "exact: the energy changes by rounding only, so there is no rate to measure";
-            ruled(case, "energy", name, Ruling::NotApplicable, detail)
+            ruled(case, ClaimName::Energy, name, Ruling::NotApplicable, detail)
         }
-        (Class::Secular, Some(fit)) => {
+        (DriftClass::Secular, Some(fit)) => {
             let (bottom, top) = (f64::from(rate_order) - BAND, f64::from(rate_order) + BAND);
             // Above the band the claimed term may be too small to be seen in this motion.
             let above = fit.low > top && !(grows && shown.rate <= 0.0);
@@ -97,7 +99,7 @@ fn judge_rate(case: &Case, drift: &EnergyDrift, rate_order: u32, grows: bool) ->
                 high: Some(fit.high),
                 ..ruled(
                     case,
-                    "energy",
+                    ClaimName::Energy,
                     name,
                     verdict,
                     format!(
@@ -111,18 +113,20 @@ fn judge_rate(case: &Case, drift: &EnergyDrift, rate_order: u32, grows: bool) ->
             }
         }
         // A thin body may be stiffer than any step that long runs can afford.
-        (Class::Growing, _) => match control {
-            None => ruled(case, "energy", name, Ruling::Fail, format!("grows without bound; {rate}")),
+        (DriftClass::Growing, _) => match control {
+            None => {
+                ruled(case, ClaimName::Energy, name, Ruling::Fail, format!("grows without bound; {rate}"))
+            }
             Some(scene) => {
                 let detail = format!("grows without bound; {rate}; {scene} shows the claimed order");
-                ruled(case, "energy", name, Ruling::Inconclusive, detail)
+                ruled(case, ClaimName::Energy, name, Ruling::Inconclusive, detail)
             }
         },
         (class, _) => {
             let why = why_no_order(drift);
             let detail =
                 format!("{}: no order of the rate in h can be read, since {why}; {rate}", class.word());
-            ruled(case, "energy", name, Ruling::Inconclusive, detail)
+            ruled(case, ClaimName::Energy, name, Ruling::Inconclusive, detail)
         }
     }
 }

@@ -3,7 +3,7 @@
 
 use super::{Case, SOLVED_TO, left_by_solves, ruled};
 use crate::measure::OtherWorld;
-use crate::record::{Ruling, Verdict};
+use crate::record::{ClaimName, Ruling, Verdict};
 
 /// Difference over its floor that rounding may leave: the same factor that tells an error from its floor elsewhere.
 const CLEAR: f64 = 10.0;
@@ -12,7 +12,7 @@ pub(super) fn judge(case: &Case) -> Vec<Verdict> {
     if case.other_worlds.is_empty() {
         let detail =
             "no run of the ladder follows the truth to a tenth of the body's size: nothing to compare with";
-        return vec![ruled(case, "equivariant", "all", Ruling::NotApplicable, detail)];
+        return vec![ruled(case, ClaimName::Equivariant, "all", Ruling::NotApplicable, detail)];
     }
     case.other_worlds.iter().map(|world| judge_world(case, world)).collect()
 }
@@ -45,6 +45,6 @@ fn judge_world(case: &Case, world: &OtherWorld) -> Verdict {
         measured: world.of_floor.is_finite().then_some(world.of_floor),
         low: Some(0.0),
         high: Some(bound),
-        ..ruled(case, "equivariant", world.name, verdict, detail)
+        ..ruled(case, ClaimName::Equivariant, world.name, verdict, detail)
     }
 }

@@ -2,7 +2,7 @@
 //! hands on the forces at the end of a step needs those at its first beginning.
 
 use super::{Case, broke, ruled};
-use crate::record::{Ruling, Verdict};
+use crate::record::{ClaimName, Ruling, Verdict};
 
 /// Evaluations that a run may begin with.
 const MOST_AT_BEGINNING: u64 = 1;
@@ -10,7 +10,7 @@ const MOST_AT_BEGINNING: u64 = 1;
 pub(super) fn judge(case: &Case, claimed: u32) -> Vec<Verdict> {
     let whole: Vec<_> = case.evidence.rungs.iter().filter(|rung| rung.outcome.broken.is_none()).collect();
     let Some(last) = whole.last() else {
-        return vec![broke(case, "evaluations", "evaluations", "every run of the ladder broke")];
+        return vec![broke(case, ClaimName::Evaluations, "evaluations", "every run of the ladder broke")];
     };
     let beginning = last.outcome.evaluations.wrapping_sub(u64::from(claimed) * last.steps);
     let holds = beginning <= MOST_AT_BEGINNING
@@ -23,7 +23,7 @@ pub(super) fn judge(case: &Case, claimed: u32) -> Vec<Verdict> {
         high: Some(f64::from(claimed)),
         ..ruled(
             case,
-            "evaluations",
+            ClaimName::Evaluations,
             "evaluations",
             verdict,
             format!(

@@ -5,7 +5,7 @@ use super::{Case, applies, at_most, open_angle, ruled};
 use crate::claim::{Quantity, When};
 use crate::measure::regression::Ladder;
 use crate::measure::{Place, PointRun, QuantityLadder, Rung};
-use crate::record::{Ruling, Verdict};
+use crate::record::{ClaimName, Ruling, Verdict};
 
 /// Relative change of L that n steps of the point form may leave: the rounding of L + h τ in each, and that of
 /// Σ X̃_k × F_k.
@@ -16,14 +16,14 @@ fn momentum_rounding(points: &PointRun) -> f64 {
 pub(super) fn judge(case: &Case, quantity: Quantity, when: When) -> Vec<Verdict> {
     if !applies(case.system, when) {
         let detail = "the scene is not one that the promise is made for";
-        return vec![ruled(case, "exact", quantity.name(), Ruling::NotApplicable, detail)];
+        return vec![ruled(case, ClaimName::Exact, quantity.name(), Ruling::NotApplicable, detail)];
     }
     if matches!(quantity, Quantity::Orientation | Quantity::AngularVelocity)
         && let Some(open) = open_angle(case)
     {
         let detail =
             format!("rounding and reference leave {open:.1e} rad open: too much to call anything exact");
-        return vec![ruled(case, "exact", quantity.name(), Ruling::Inconclusive, detail)];
+        return vec![ruled(case, ClaimName::Exact, quantity.name(), Ruling::Inconclusive, detail)];
     }
     let mut verdicts = Vec::new();
     for place in Place::ALL {
@@ -43,7 +43,7 @@ pub(super) fn judge(case: &Case, quantity: Quantity, when: When) -> Vec<Verdict>
             "relative change of L in {} steps of the point form: {change:.2e} ≤ {bound:.2e}",
             points.steps
         );
-        verdicts.push(at_most(case, "exact", "angular-momentum-points", change, bound, detail));
+        verdicts.push(at_most(case, ClaimName::Exact, "angular-momentum-points", change, bound, detail));
     }
     verdicts
 }
@@ -63,7 +63,7 @@ fn judge_giant_steps(case: &Case, quantity: Quantity) -> Option<Verdict> {
         "the whole run in 1 to 7 steps, worst in {}: {error:.2e} {unit}, ten times its floor {bound:.2e} {unit}",
         worst.steps
     );
-    Some(at_most(case, "exact", &name, error, bound, detail))
+    Some(at_most(case, ClaimName::Exact, &name, error, bound, detail))
 }
 
 fn judge_ladder(case: &Case, name: &str, ladder: &QuantityLadder) -> Verdict {
@@ -78,12 +78,12 @@ fn judge_ladder(case: &Case, name: &str, ladder: &QuantityLadder) -> Verdict {
     match ladder.ladder {
         _ if worst.is_none() => {
             let detail = "rounding leaves too much open in every run to call anything exact";
-            ruled(case, "exact", name, Ruling::Inconclusive, detail)
+            ruled(case, ClaimName::Exact, name, Ruling::Inconclusive, detail)
         }
-        Ladder::Broken => ruled(case, "exact", name, Ruling::Broken, "a run of the ladder broke"),
+        Ladder::Broken => ruled(case, ClaimName::Exact, name, Ruling::Broken, "a run of the ladder broke"),
         _ => at_most(
             case,
-            "exact",
+            ClaimName::Exact,
             name,
             error,
             bound,

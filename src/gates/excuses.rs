@@ -7,7 +7,7 @@
 use super::Case;
 use crate::measure::regression::Ladder;
 use crate::measure::{BAND, QuantityLadder};
-use crate::record::{Ruling, Verdict};
+use crate::record::{ClaimName, Ruling, Verdict};
 
 /// Fall of the slopes of a window in all below which they are at rest.
 const AT_REST: f64 = 0.04;
@@ -19,8 +19,8 @@ pub(super) fn apply(case: &Case, order: u32, ladders: &[&QuantityLadder], slopes
     let shows = |ladder: &&QuantityLadder| {
         ladder.fit().is_some_and(|fit| (bottom..=top).contains(&fit.slope)) || ladder.is_on_its_way(order)
     };
-    let shown_here = ladders.iter().any(shows) && !control.denies("order");
-    let generic = control.shows("order", "");
+    let shown_here = ladders.iter().any(shows) && !control.denies(ClaimName::Order);
+    let generic = control.shows(ClaimName::Order, "");
     let unsettled = ladders.iter().filter(|ladder| ladder.ladder == Ladder::Unsettled).count();
     let open = 2 * unsettled >= ladders.len();
     let lost = case.evidence.rungs.last().is_some_and(|rung| rung.is_lost(case.system));

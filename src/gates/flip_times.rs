@@ -7,7 +7,7 @@ use super::{Case, open_angle, ruled};
 use crate::measure::regression::{self, FEWEST_SLOPES, Fit, Ladder};
 use crate::measure::{BAND, Flips};
 use crate::model::Quantity;
-use crate::record::{Ruling, Verdict};
+use crate::record::{ClaimName, Ruling, Verdict};
 
 /// Rungs, at the fine end, that must have the right number of flips.
 const COUNTED: usize = 3;
@@ -18,24 +18,24 @@ pub(super) fn judge(case: &Case) -> Vec<Verdict> {
     let name = "flip-times";
     let Some(flips) = case.flips else {
         let detail = "the body does not tumble freely about its middle axis";
-        return vec![ruled(case, name, name, Ruling::NotApplicable, detail)];
+        return vec![ruled(case, ClaimName::FlipTimes, name, Ruling::NotApplicable, detail)];
     };
     if let Some(open) = open_angle(case) {
         let detail = format!(
             "rounding and reference leave {open:.1e} rad open: whether and when the body flips is not known"
         );
-        return vec![ruled(case, name, name, Ruling::Inconclusive, detail)];
+        return vec![ruled(case, ClaimName::FlipTimes, name, Ruling::Inconclusive, detail)];
     }
     let fine = &flips.rungs[flips.rungs.len() - COUNTED..];
     let counts: Vec<usize> = fine.iter().map(|rung| rung.times.len()).collect();
     let truth = flips.truth.times.len();
     if counts.iter().any(|count| *count != truth) {
         let detail = format!("{truth} flips in truth, {counts:?} at the three finest steps");
-        return vec![ruled(case, name, name, Ruling::Fail, detail)];
+        return vec![ruled(case, ClaimName::FlipTimes, name, Ruling::Fail, detail)];
     }
     if truth == 0 {
         let detail = "no flip, as in truth, at the three finest steps";
-        return vec![ruled(case, name, name, Ruling::Pass, detail)];
+        return vec![ruled(case, ClaimName::FlipTimes, name, Ruling::Pass, detail)];
     }
     vec![judge_convergence(case, flips)]
 }
@@ -71,7 +71,7 @@ fn judge_convergence(case: &Case, flips: &Flips) -> Verdict {
         high: fit.map(|fit| fit.high),
         ..ruled(
             case,
-            "flip-times",
+            ClaimName::FlipTimes,
             "flip-times",
             verdict,
             format!(

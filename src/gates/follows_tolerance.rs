@@ -7,7 +7,7 @@
 use super::{Case, ruled};
 use crate::measure::regression;
 use crate::measure::{self, FEWEST_TOLERANCES, QuantityLadder};
-use crate::record::{Ruling, Verdict};
+use crate::record::{ClaimName, Ruling, Verdict};
 
 /// The band of the slope.
 const BAND: (f64, f64) = (0.5, 1.5);
@@ -22,7 +22,7 @@ pub(super) fn judge(case: &Case, power: u32) -> Vec<Verdict> {
 
 fn judge_ladder(case: &Case, ladder: &QuantityLadder, power: u32) -> Verdict {
     let name = format!("{}-end", ladder.quantity.name());
-    let rule = |verdict, detail: String| ruled(case, "follows-tolerance", &name, verdict, detail);
+    let rule = |verdict, detail: String| ruled(case, ClaimName::FollowsTolerance, &name, verdict, detail);
     let Some((_, finest, floor)) = ladder.rungs.last().copied() else {
         return rule(Ruling::Inconclusive, "no runs".to_owned());
     };

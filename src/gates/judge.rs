@@ -5,7 +5,7 @@ use super::{
     order, order_here, reduction, reversible, rigid, ruled, solves, stability, symplectic, vertical_momentum,
 };
 use crate::claim::Claim;
-use crate::record::{Ruling, Verdict};
+use crate::record::{ClaimName, Ruling, Verdict};
 use crate::schemes::Card;
 
 /// Judges every claim of a scheme in a scene.
@@ -42,7 +42,7 @@ pub fn judge(case: &Case) -> Vec<Verdict> {
 /// A scheme that claims no order is not judged by its ladder; that its runs broke is said all the same.
 fn judge_without_order(case: &Case) -> Option<Verdict> {
     let broken = case.evidence.rungs.iter().find_map(|rung| rung.outcome.broken.as_ref())?;
-    (case.card.order() == 0).then(|| ruled(case, "run", "all", Ruling::Broken, broken.to_string()))
+    (case.card.order() == 0).then(|| ruled(case, ClaimName::Run, "all", Ruling::Broken, broken.to_string()))
 }
 
 /// The verdicts of a scheme that cannot take a scene: every claim not applicable, with the reason.
@@ -52,7 +52,7 @@ pub fn refuse(scene: &str, card: &Card, reason: &str) -> Vec<Verdict> {
         .map(|claim| Verdict {
             scene: scene.to_owned(),
             scheme: card.name.to_owned(),
-            claim: claim.name().to_owned(),
+            claim: claim.name(),
             quantity: "all".to_owned(),
             verdict: Ruling::NotApplicable,
             detail: reason.to_owned(),

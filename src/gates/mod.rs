@@ -26,7 +26,7 @@ mod vertical_momentum;
 
 use crate::claim::{Claim, Quantity, When};
 use crate::model::System;
-use crate::record::{Records, Ruling, Verdict};
+use crate::record::{ClaimName, Records, Ruling, Verdict};
 
 pub(crate) use case::Case;
 pub(crate) use control::{Control, ask_for_control, judge_orders};
@@ -130,11 +130,17 @@ fn open_angle(case: &Case) -> Option<f64> {
 }
 
 /// A verdict without numbers.
-fn ruled(case: &Case, claim: &str, quantity: &str, verdict: Ruling, detail: impl Into<String>) -> Verdict {
+fn ruled(
+    case: &Case,
+    claim: ClaimName,
+    quantity: &str,
+    verdict: Ruling,
+    detail: impl Into<String>,
+) -> Verdict {
     Verdict {
         scene: case.scene.to_owned(),
         scheme: case.card.name.to_owned(),
-        claim: claim.to_owned(),
+        claim,
         quantity: quantity.to_owned(),
         verdict,
         detail: detail.into(),
@@ -143,7 +149,7 @@ fn ruled(case: &Case, claim: &str, quantity: &str, verdict: Ruling, detail: impl
 }
 
 /// The verdict on runs that broke, the finest too; undecided where that would have gone on in smaller steps.
-fn broke(case: &Case, claim: &str, quantity: &str, why: &str) -> Verdict {
+fn broke(case: &Case, claim: ClaimName, quantity: &str, why: &str) -> Verdict {
     match case.evidence.goes_on_in {
         None => ruled(case, claim, quantity, Ruling::Broken, why),
         Some(step) => {
@@ -154,7 +160,14 @@ fn broke(case: &Case, claim: &str, quantity: &str, why: &str) -> Verdict {
 }
 
 /// Passes where `measured` is at most `bound`; NaN never passes.
-fn at_most(case: &Case, claim: &str, quantity: &str, measured: f64, bound: f64, detail: String) -> Verdict {
+fn at_most(
+    case: &Case,
+    claim: ClaimName,
+    quantity: &str,
+    measured: f64,
+    bound: f64,
+    detail: String,
+) -> Verdict {
     let verdict = if measured <= bound { Ruling::Pass } else { Ruling::Fail };
     Verdict {
         measured: measured.is_finite().then_some(measured),

@@ -6,7 +6,7 @@ use crate::measure::regression::{Fit, Ladder};
 use crate::measure::{APART, BAND, QuantityLadder};
 use crate::model::Quantity;
 use crate::model::body::Shape;
-use crate::record::{Ruling, Verdict};
+use crate::record::{ClaimName, Ruling, Verdict};
 
 /// Largest relative change of an error constant.
 const CONSTANT_CHANGE: f64 = 0.05;
@@ -15,7 +15,7 @@ const LARGE: f64 = 1e3;
 
 pub(super) fn judge(case: &Case, order: u32) -> Vec<Verdict> {
     if let Some(reason) = case.not_for_order {
-        let order = ruled(case, "order", "all", Ruling::NotApplicable, reason);
+        let order = ruled(case, ClaimName::Order, "all", Ruling::NotApplicable, reason);
         return std::iter::once(order).chain(judge_consistency(case)).collect();
     }
     let judged = judged_ladders(case);
@@ -69,7 +69,7 @@ fn judge_consistency(case: &Case) -> Option<Verdict> {
     Some(Verdict {
         measured: ratio.is_finite().then_some(ratio),
         low: Some(APART),
-        ..ruled(case, "consistency", "body-point-max", verdict, detail)
+        ..ruled(case, ClaimName::Consistency, "body-point-max", verdict, detail)
     })
 }
 
@@ -90,7 +90,7 @@ fn judge_slope(case: &Case, order: u32, ladder: &QuantityLadder, name: &str) -> 
         measured: fit.map(|fit| fit.slope),
         low: fit.map(|fit| fit.low),
         high: fit.map(|fit| fit.high),
-        ..ruled(case, "order", name, verdict, detail)
+        ..ruled(case, ClaimName::Order, name, verdict, detail)
     }
 }
 
@@ -99,14 +99,20 @@ fn judge_slope(case: &Case, order: u32, ladder: &QuantityLadder, name: &str) -> 
 fn judge_broken(case: &Case, ladder: &QuantityLadder, name: &str) -> Verdict {
     let last = case.evidence.rungs.last();
     if let Some(why) = last.and_then(|last| last.outcome.broken.as_ref()) {
-        return broke(case, "order", name, &why.to_string());
+        return broke(case, ClaimName::Order, name, &why.to_string());
     }
     let moved = last.map(|last| ladder.place.of(&last.moved[ladder.quantity]));
     if moved.is_some_and(f64::is_finite) {
         let detail = "the reference is not finite: there is nothing to compare with";
-        return ruled(case, "order", name, Ruling::Inconclusive, detail);
+        return ruled(case, ClaimName::Order, name, Ruling::Inconclusive, detail);
     }
-    ruled(case, "order", name, Ruling::Broken, if last.is_some() { "no finite error" } else { "no run" })
+    ruled(
+        case,
+        ClaimName::Order,
+        name,
+        Ruling::Broken,
+        if last.is_some() { "no finite error" } else { "no run" },
+    )
 }
 
 /// What a ladder says of a claimed order, and why, by nothing but its numbers.
@@ -166,9 +172,9 @@ fn judge_without_constant(case: &Case, ladder: &QuantityLadder, known: f64, name
     let expected = |rung: &(f64, f64, f64)| known * rung.0.powi(order_of(case) as i32);
     let vanished = ladder.rungs.iter().any(|rung| expected(rung) > LARGE * rung.2 && rung.1 <= rung.2);
     if !vanished {
-        return ruled(case, "constant", name, Ruling::Inconclusive, detail);
+        return ruled(case, ClaimName::Constant, name, Ruling::Inconclusive, detail);
     }
-    ruled(case, "constant", name, Ruling::Fail, format!("{detail}: an error is below its floor"))
+    ruled(case, ClaimName::Constant, name, Ruling::Fail, format!("{detail}: an error is below its floor"))
 }
 
 /// The order that the constants on record belong to.
@@ -189,7 +195,7 @@ fn judge_constant(case: &Case, ladder: &QuantityLadder, name: &str) -> Option<Ve
         high: Some(known * (1.0 + CONSTANT_CHANGE)),
         ..ruled(
             case,
-            "constant",
+            ClaimName::Constant,
             name,
             verdict,
             format!("C = {constant:.4e}, on record {known:.4e} ± 5 %: ratio {:.4}", constant / known),

@@ -1,7 +1,7 @@
 //! Whether the sources of a reference agree well enough to judge by.
 
 use crate::model::{PerQuantity, Quantity, System};
-use crate::record::{Ruling, Verdict};
+use crate::record::{ClaimName, Ruling, Verdict};
 use crate::reference::Reference;
 use crate::rotation;
 
@@ -37,7 +37,7 @@ pub fn judge_reference(scene: &str, system: &System, reference: &Reference) -> V
     Verdict {
         scene: scene.to_owned(),
         scheme: "reference".to_owned(),
-        claim: "references-agree".to_owned(),
+        claim: ClaimName::ReferencesAgree,
         quantity: worst.0.name().to_owned(),
         verdict,
         measured: worst.1.is_finite().then_some(worst.1),

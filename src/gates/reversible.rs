@@ -2,12 +2,12 @@
 //! tolerance and no further, what is left of them is named and the verdict stays open.
 
 use super::{Case, OPEN, SOLVED_TO, left_by_solves, ruled};
-use crate::record::{Ruling, Verdict};
+use crate::record::{ClaimName, Ruling, Verdict};
 
 /// Distance over its floor that rounding may leave.
 const CLEAR: f64 = 10.0;
 pub(super) fn judge(case: &Case) -> Verdict {
-    let rule = |verdict, detail: &str| ruled(case, "reversible", "there-and-back", verdict, detail);
+    let rule = |verdict, detail: &str| ruled(case, ClaimName::Reversible, "there-and-back", verdict, detail);
     let Some(reversal) = case.reversal else {
         return rule(
             Ruling::NotApplicable,

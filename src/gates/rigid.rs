@@ -1,7 +1,7 @@
 //! The rigidity gate: distances between points of the point form change by rounding only.
 
 use super::{Case, at_most, ruled};
-use crate::record::{Ruling, Verdict};
+use crate::record::{ClaimName, Ruling, Verdict};
 
 /// Rounding of n exact rotations of a point: up to 1.3 √n u where the axis tumbles, as measured, and allowed three
 /// times that. Where the axis stands still every rotation is the same and rounds the same way: n u.
@@ -13,12 +13,12 @@ fn rounding(steps: u64, steady: bool) -> f64 {
 pub(super) fn judge(case: &Case) -> Vec<Verdict> {
     let Some(points) = case.points else {
         let detail = "no point form: the body has none, or the scheme takes none";
-        return vec![ruled(case, "rigid", "rigidity", Ruling::NotApplicable, detail)];
+        return vec![ruled(case, ClaimName::Rigid, "rigidity", Ruling::NotApplicable, detail)];
     };
     let bound = rounding(points.steps, case.system.steady_spin());
     let detail = format!(
         "largest change of a distance in {} steps of the point form, over the extent: {:.2e} ≤ {bound:.2e}",
         points.steps, points.stretch
     );
-    vec![at_most(case, "rigid", "rigidity", points.stretch, bound, detail)]
+    vec![at_most(case, ClaimName::Rigid, "rigidity", points.stretch, bound, detail)]
 }

@@ -3,7 +3,7 @@
 
 use super::{Case, ruled};
 use crate::record::stability::LinearLimit;
-use crate::record::{Ruling, Verdict};
+use crate::record::{ClaimName, Ruling, Verdict};
 
 /// How far a limit may be from the one on record, relative.
 const MET: f64 = 0.02;
@@ -15,7 +15,7 @@ pub(super) fn judge(case: &Case) -> Option<Verdict> {
         measured: measured.h_omega,
         low: bounds.map(|bounds| bounds.0),
         high: bounds.map(|bounds| bounds.1),
-        ..ruled(case, "stability", "step-limit", verdict, detail)
+        ..ruled(case, ClaimName::Stability, "step-limit", verdict, detail)
     })
 }
 

@@ -2,7 +2,7 @@
 
 use super::{Case, at_most, ruled};
 use crate::measure;
-use crate::record::{Ruling, Verdict};
+use crate::record::{ClaimName, Ruling, Verdict};
 
 pub(super) fn judge(case: &Case) -> Vec<Verdict> {
     let name = "vertical-momentum";
@@ -16,11 +16,11 @@ pub(super) fn judge(case: &Case) -> Vec<Verdict> {
     vec![match worst {
         None => {
             let detail = "not a body on a pivot under uniform gravity alone";
-            ruled(case, name, name, Ruling::NotApplicable, detail)
+            ruled(case, ClaimName::VerticalMomentum, name, Ruling::NotApplicable, detail)
         }
         Some((change, bound)) => {
             let detail = format!("largest change of L·g over |L||g|: {change:.2e} ≤ {bound:.2e}");
-            at_most(case, name, name, change, bound, detail)
+            at_most(case, ClaimName::VerticalMomentum, name, change, bound, detail)
         }
     }]
 }

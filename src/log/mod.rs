@@ -14,7 +14,7 @@ mod track;
 
 use std::path::Path;
 
-use crate::record::{Measurement, Ruling, Verdict};
+use crate::record::{ClaimName, Measurement, Ruling, RunStatus, Verdict};
 use crate::scenes::Scene;
 
 pub use error::JudgeError;
@@ -139,7 +139,7 @@ impl Judgement {
             value: value.filter(|value| value.is_finite()),
             unit: finding.unit.to_owned(),
             uncertainty: finding.value.as_ref().ok().map(|value| value.uncertainty),
-            status: if finding.value.is_ok() { "ok" } else { "not-applicable" }.to_owned(),
+            status: if finding.value.is_ok() { RunStatus::Ok } else { RunStatus::NotApplicable },
             why: finding.value.as_ref().err().cloned(),
             ..Measurement::default()
         };
@@ -162,7 +162,7 @@ impl Judgement {
         Verdict {
             scene: scene.name.clone(),
             scheme: name.to_owned(),
-            claim: "frames".to_owned(),
+            claim: ClaimName::Frames,
             quantity: "angular-velocity".to_owned(),
             verdict,
             detail: self.frames_in_words(),

@@ -9,6 +9,7 @@ use crate::measure::regression::{self, Fit, Ladder};
 use crate::model::System;
 use crate::model::body::Shape;
 use crate::model::forces::Forces;
+use crate::record::DriftClass;
 use crate::rotation;
 use crate::simulate::{Contestant, Form, Plan};
 
@@ -42,34 +43,6 @@ const WAY_PAST: f64 = 10.0;
 const SAMPLES: u64 = 512;
 /// Difference of two moments, over the largest, below which they are one.
 const ONE_MOMENT: f64 = 1e-9;
-
-/// How a conserved quantity changes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Class {
-    /// By rounding only.
-    Exact,
-    /// By an oscillation that does not grow with time.
-    Bounded,
-    /// Steadily, at a rate that has an order in h.
-    Secular,
-    /// Faster than steadily, or without bound.
-    Growing,
-    /// None of these can be told.
-    Undecided,
-}
-
-impl Class {
-    /// The word that stands in records.
-    pub fn word(self) -> &'static str {
-        match self {
-            Class::Exact => "exact",
-            Class::Bounded => "bounded",
-            Class::Secular => "secular",
-            Class::Growing => "growing",
-            Class::Undecided => "undecided",
-        }
-    }
-}
 
 /// One long run.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -111,7 +84,7 @@ pub struct EnergyDrift {
     /// Long runs, step falling.
     pub rungs: Vec<EnergyRung>,
     /// Kind of drift.
-    pub class: Class,
+    pub class: DriftClass,
     /// Order in h of the rate.
     pub order: Option<Fit>,
     /// Rung that stands for the ladder: the finest with a clear rate.
@@ -200,11 +173,11 @@ fn classify(rungs: Vec<EnergyRung>, steady: usize, flat: bool, long: f64) -> Ene
     let fine = &rungs[rungs.len() - steady.max(1)..];
     let bounded = flat || fine.iter().all(|r| (r.rate * long).abs() < 0.1 * r.level);
     let (class, order) = match regression::find_window(&ladder[rungs.len() - steady.max(1)..]) {
-        _ if rungs.iter().all(|r| r.level <= 10.0 * r.rounding) => (Class::Exact, None),
-        _ if fine.iter().any(|r| r.of_largest > WAY_PAST) => (Class::Growing, None),
-        Ladder::Window { fit, .. } if !flat => (Class::Secular, Some(fit)),
-        _ if bounded => (Class::Bounded, None),
-        _ => (Class::Undecided, None),
+        _ if rungs.iter().all(|r| r.level <= 10.0 * r.rounding) => (DriftClass::Exact, None),
+        _ if fine.iter().any(|r| r.of_largest > WAY_PAST) => (DriftClass::Growing, None),
+        Ladder::Window { fit, .. } if !flat => (DriftClass::Secular, Some(fit)),
+        _ if bounded => (DriftClass::Bounded, None),
+        _ => (DriftClass::Undecided, None),
     };
     EnergyDrift { rungs, class, order, shown }
 }

@@ -32,7 +32,7 @@ use crate::simulate::{Contestant, Form, Plan};
 
 pub(crate) use cause::Cause;
 pub(crate) use climb::climb;
-pub(crate) use drift::{Class, EnergyDrift, EnergyRung, energy_drift};
+pub(crate) use drift::{EnergyDrift, EnergyRung, energy_drift};
 pub(crate) use flips::{FlipFinder, Flips, flips, true_flips, tumbling_axis};
 pub(crate) use invariance::{OtherWorld, other_worlds};
 pub use ladder::Place;

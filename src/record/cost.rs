@@ -2,6 +2,19 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::words::words;
+
+words! {
+    /// What a cost is measured against.
+    Grows {
+        /// The number of mass points of the body.
+        #[default]
+        Points = "points",
+        /// The number of cells of a campaign: schemes × scenes.
+        Cells = "cells",
+    }
+}
+
 /// What a step of a scheme costs on a kind of scene, timed alone on the machine; differs from run to run and decides nothing.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct CostRow {
@@ -35,8 +48,8 @@ pub struct CostRow {
 /// A cost against a size.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ScalingRow {
-    /// What grows: `points` (mass points of the body) or `cells` (schemes × scenes of a campaign).
-    pub what: String,
+    /// What grows.
+    pub what: Grows,
     /// Scheme, or nothing for a campaign.
     pub scheme: String,
     /// Form of the model: `points` or `least`; nothing for a campaign.

@@ -2,6 +2,55 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::words::words;
+
+words! {
+    /// What came of a run.
+    RunStatus {
+        /// It came to its end.
+        #[default]
+        Ok = "ok",
+        /// It broke.
+        Broken = "broken",
+        /// The scheme cannot take the scene, or the metric does not apply.
+        NotApplicable = "not-applicable",
+    }
+}
+
+words! {
+    /// What a ladder says of an order.
+    OrderStatus {
+        /// A slope was fitted.
+        Fitted = "fitted",
+        /// Every error is at its floor.
+        Exact = "exact",
+        /// No three successive slopes agree.
+        #[default]
+        Unsettled = "unsettled",
+        /// Too few errors stand clear of their floors.
+        TooFew = "too-few",
+        /// The finest run broke.
+        Broken = "broken",
+    }
+}
+
+words! {
+    /// How a conserved quantity changes.
+    DriftClass {
+        /// By rounding only.
+        Exact = "exact",
+        /// By an oscillation that does not grow with time.
+        Bounded = "bounded",
+        /// Steadily, at a rate that has an order in h.
+        Secular = "secular",
+        /// Faster than steadily, or without bound.
+        Growing = "growing",
+        /// None of these can be told.
+        #[default]
+        Undecided = "undecided",
+    }
+}
+
 /// One number of one run.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Measurement {
@@ -23,9 +72,9 @@ pub struct Measurement {
     pub unit: String,
     /// The larger of the reference's uncertainty and the measured rounding floor.
     pub uncertainty: Option<f64>,
-    /// `ok`, `broken` or `not-applicable`.
-    pub status: String,
-    /// Reason, where `status` is not `ok`.
+    /// What came of the run.
+    pub status: RunStatus,
+    /// Reason, where the run is not whole.
     pub why: Option<String>,
     /// Evaluations of the forces in the whole run.
     pub force_evaluations: u64,
@@ -63,10 +112,10 @@ pub struct Order {
     /// Unit of the error.
     #[serde(default)]
     pub unit: String,
-    /// `fitted`, `exact`, `unsettled`, `too-few` or `broken`.
+    /// What the ladder says.
     #[serde(default)]
-    pub status: String,
-    /// Reason, where `status` is not `fitted`.
+    pub status: OrderStatus,
+    /// Reason, where no slope was fitted.
     #[serde(default)]
     pub why: Option<String>,
 }
@@ -80,8 +129,8 @@ pub struct Drift {
     pub scheme: String,
     /// Quantity: `rotational-energy`, `angular-momentum-magnitude`, …
     pub quantity: String,
-    /// `exact`, `bounded`, `secular`, `growing` or `undecided`.
-    pub class: String,
+    /// How it changes.
+    pub class: DriftClass,
     /// For a secular drift: order in the step of its rate.
     pub rate_order: Option<f64>,
     /// Lower end of the 95 % confidence interval of `rate_order`.

@@ -15,6 +15,7 @@ mod tables;
 mod verdict;
 #[cfg(feature = "cli")]
 mod whole;
+mod words;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -22,14 +23,14 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-pub use cost::{CostRow, ScalingRow};
+pub use cost::{CostRow, Grows, ScalingRow};
 pub use engines::{EngineRow, PeerRow, Twin};
-pub use findings::{Drift, Measurement, Order, Series};
+pub use findings::{Drift, DriftClass, Measurement, Order, OrderStatus, RunStatus, Series};
 pub use published::{Agreement, PublishedRow, Sureness, last_digit};
 pub use subjects::{ReferenceRow, SceneRow, SchemeRow};
 #[cfg(feature = "cli")]
 pub use tables::{write_csv, write_json};
-pub use verdict::{Ruling, Verdict};
+pub use verdict::{ClaimName, Ruling, Verdict};
 #[cfg(feature = "cli")]
 pub(crate) use whole::{WholeFile, write_whole};
 

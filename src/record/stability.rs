@@ -8,7 +8,57 @@ use std::sync::LazyLock;
 
 use serde::{Deserialize, Serialize};
 
+use super::words::words;
 use super::{Machine, RecordError};
+
+words! {
+    /// What a usable step means.
+    Meaning {
+        /// The energy stays below ten times its scale and nothing breaks.
+        #[default]
+        Bounded = "bounded",
+        /// The energy is within 1 % of its scale of the truth.
+        Energy = "energy",
+        /// The orientation is within 0.1 rad of the truth.
+        Orientation = "orientation",
+    }
+}
+
+words! {
+    /// What was found of a limit.
+    LimitStatus {
+        /// There is one.
+        Limit = "limit",
+        /// Every step that was tried is usable.
+        Unlimited = "unlimited",
+        /// No step that was tried is usable.
+        None = "none",
+        /// The scheme cannot take the scene.
+        #[default]
+        NotApplicable = "not-applicable",
+        /// The scene has no reference.
+        Broken = "broken",
+    }
+}
+
+words! {
+    /// How the energy changes over a long run.
+    LongRunClass {
+        /// As the root of the number of steps, by about a rounding each.
+        RoundingLikeRoot = "rounding-like-root",
+        /// As their number, by about a rounding each.
+        RoundingLikeN = "rounding-like-n",
+        /// It does not grow.
+        Bounded = "bounded",
+        /// It grows by more than roundings.
+        #[default]
+        Secular = "secular",
+        /// It has grown as far as it can.
+        Saturated = "saturated",
+        /// The run broke.
+        Broken = "broken",
+    }
+}
 
 /// The schema that [`Stability`] follows.
 pub const SCHEMA: &str = "polhode/stability/1";
@@ -53,10 +103,10 @@ pub struct Limit {
     pub scene: String,
     /// Scheme.
     pub scheme: String,
-    /// What usable means: `bounded`, `energy` or `orientation`.
-    pub meaning: String,
-    /// `limit`; `unlimited` where every step tried is usable; `none` where none is; `not-applicable` or `broken`.
-    pub status: String,
+    /// What usable means.
+    pub meaning: Meaning,
+    /// Whether there is a limit.
+    pub status: LimitStatus,
     /// Largest usable step [s]; the largest tried where unlimited.
     pub step_s: Option<f64>,
     /// Smallest step above it that fails [s]; the smallest tried where none is usable.
@@ -80,14 +130,14 @@ pub struct Limit {
 impl Limit {
     /// Whether the row tells of steps at all: the scheme takes the scene and the scene has a reference.
     pub fn step_or_none(&self) -> bool {
-        matches!(self.status.as_str(), "limit" | "unlimited" | "none")
+        matches!(self.status, LimitStatus::Limit | LimitStatus::Unlimited | LimitStatus::None)
     }
 
     /// The largest usable step [s]: zero where there is none, infinite where none fails.
     pub fn edge(&self) -> f64 {
-        match self.status.as_str() {
-            "none" => 0.0,
-            "limit" => self.step_s.unwrap_or(0.0),
+        match self.status {
+            LimitStatus::None => 0.0,
+            LimitStatus::Limit => self.step_s.unwrap_or(0.0),
             _ => f64::INFINITY,
         }
     }
@@ -205,8 +255,8 @@ pub struct LongRun {
     pub energy_change: Vec<f64>,
     /// Power of n with which the change grows over the last two decades.
     pub growth_power: Option<f64>,
-    /// `rounding-like-root` (½), `rounding-like-n` (1), `bounded`, `secular`, `saturated` or `broken`.
-    pub class: String,
+    /// How the energy changes.
+    pub class: LongRunClass,
     /// Principal axis that the spin ends on: `smallest`, `middle` or `largest` inertia, or `none`.
     pub final_axis: String,
     /// Why the run ended early, if it did.

@@ -2,33 +2,73 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Whether a claim holds.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Ruling {
-    /// The claim holds.
-    Pass,
-    /// The claim does not hold.
-    Fail,
-    /// The measurement cannot decide.
-    #[default]
-    Inconclusive,
-    /// The claim says nothing about this scene.
-    NotApplicable,
-    /// The run or its reference failed.
-    Broken,
+use super::words::words;
+
+words! {
+    /// Whether a claim holds.
+    Ruling {
+        /// The claim holds.
+        Pass = "pass",
+        /// The claim does not hold.
+        Fail = "fail",
+        /// The measurement cannot decide.
+        #[default]
+        Inconclusive = "inconclusive",
+        /// The claim says nothing about this scene.
+        NotApplicable = "not-applicable",
+        /// The run or its reference failed.
+        Broken = "broken",
+    }
 }
 
-impl Ruling {
-    /// The word that stands in records and tables.
-    pub fn word(self) -> &'static str {
-        match self {
-            Ruling::Pass => "pass",
-            Ruling::Fail => "fail",
-            Ruling::Inconclusive => "inconclusive",
-            Ruling::NotApplicable => "not-applicable",
-            Ruling::Broken => "broken",
-        }
+words! {
+    /// What a verdict is about: a claim of a card, or what every scheme and every reference is held to.
+    ClaimName {
+        /// The order of the error of each quantity.
+        #[default]
+        Order = "order",
+        /// The same without torque.
+        OrderWithoutTorque = "order-without-torque",
+        /// The error of a solver that chooses its own steps.
+        FollowsTolerance = "follows-tolerance",
+        /// A quantity that is exact.
+        Exact = "exact",
+        /// The energy of a free body.
+        Energy = "energy",
+        /// L·g of a body on a pivot.
+        VerticalMomentum = "vertical-momentum",
+        /// The times of the flips of a tumbling body.
+        FlipTimes = "flip-times",
+        /// Distances between points of the body.
+        Rigid = "rigid",
+        /// The way there and back.
+        Reversible = "reversible",
+        /// The two-form of a step.
+        Symplectic = "symplectic",
+        /// The same motion in other worlds.
+        Equivariant = "equivariant",
+        /// Evaluations of the forces a step.
+        Evaluations = "evaluations",
+        /// Implicit equations a step.
+        Solves = "solves",
+        /// The error constant on record.
+        Constant = "constant",
+        /// Runs that converge to the truth where no order applies.
+        Consistency = "consistency",
+        /// Runs of a program under test that converge to the truth.
+        Converges = "converges",
+        /// The first state of a program under test.
+        Start = "start",
+        /// The least model beside the mass points.
+        Reduction = "reduction",
+        /// The limit of stability on record.
+        Stability = "stability",
+        /// That runs of a scheme without an order come to their end.
+        Run = "run",
+        /// The sources of a reference.
+        ReferencesAgree = "references-agree",
+        /// The conventions of a trajectory file.
+        Frames = "frames",
     }
 }
 
@@ -39,8 +79,8 @@ pub struct Verdict {
     pub scene: String,
     /// Scheme.
     pub scheme: String,
-    /// Claim, for example `order`.
-    pub claim: String,
+    /// What it is about.
+    pub claim: ClaimName,
     /// Quantity that the claim is about.
     pub quantity: String,
     /// The ruling.

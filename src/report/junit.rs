@@ -23,7 +23,7 @@ pub fn junit(records: &Records) -> String {
 }
 
 fn case(verdict: &Verdict) -> TestCase {
-    let parts = [&verdict.scheme, &verdict.claim, &verdict.quantity].map(|part| part.as_str());
+    let parts = [verdict.scheme.as_str(), verdict.claim.word(), verdict.quantity.as_str()];
     let named: Vec<&str> = parts.into_iter().filter(|part| !part.is_empty()).collect();
     let mut case = TestCase::new(named.join(": "), status(verdict));
     case.set_classname(verdict.scene.as_str());

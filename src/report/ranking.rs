@@ -6,7 +6,7 @@
 
 use std::sync::Arc;
 
-use crate::record::{Measurement, Records};
+use crate::record::{Measurement, Records, RunStatus};
 use crate::report::survey;
 
 /// What errors are held against.
@@ -112,7 +112,7 @@ pub(super) fn ladders<'a>(records: &'a Records, scene: &str, metric: &str, work:
 
 /// The rungs of one scheme, work rising, and the work of those that broke.
 fn rungs(own: &[&Measurement], work: Work) -> (Vec<Point>, Vec<f64>) {
-    let whole = || own.iter().filter(|row| row.status == "ok");
+    let whole = || own.iter().filter(|row| row.status == RunStatus::Ok);
     let mut points: Vec<Point> = whole()
         .filter_map(|row| {
             let error = row.value.filter(|value| *value > 0.0 && value.is_finite())?;
@@ -123,7 +123,7 @@ fn rungs(own: &[&Measurement], work: Work) -> (Vec<Point>, Vec<f64>) {
     points.sort_by(|a, b| a.work.total_cmp(&b.work));
     // A run that broke has counted a part of its work only.
     let like = whole().next();
-    let broken = own.iter().filter(|row| row.status == "broken");
+    let broken = own.iter().filter(|row| row.status == RunStatus::Broken);
     let broken = broken.filter_map(|row| work.at(row, like?)).map(f64::log10).collect();
     (points, broken)
 }
@@ -252,15 +252,19 @@ mod tests {
 
     #[test]
     fn a_run_that_broke_stands_at_the_work_that_it_would_have_cost() {
-        let row = |steps, value, status: &str| Measurement {
+        let row = |steps, value, status| Measurement {
             step_s: 1.0 / steps as f64,
             steps,
             value,
-            status: status.into(),
+            status,
             force_evaluations: if value.is_some() { 2 * steps } else { 1 },
             ..Measurement::default()
         };
-        let rows = [row(1, None, "broken"), row(10, Some(1e-3), "ok"), row(100, Some(1e-5), "ok")];
+        let rows = [
+            row(1, None, RunStatus::Broken),
+            row(10, Some(1e-3), RunStatus::Ok),
+            row(100, Some(1e-5), RunStatus::Ok),
+        ];
         let (points, broken) = rungs(&rows.iter().collect::<Vec<_>>(), Work::Evaluations);
         assert_eq!(points.len(), 2);
         assert!((broken[0] - 2f64.log10()).abs() < 1e-12, "{broken:?}");

@@ -1,7 +1,7 @@
 //! What the records hold: which scenes and schemes, how many verdicts of each kind, and which rows belong
 //! together.
 
-use crate::record::{Order, Records, Ruling, SceneRow, Verdict};
+use crate::record::{Order, OrderStatus, Records, Ruling, SceneRow, Verdict};
 
 use super::number;
 
@@ -158,7 +158,7 @@ pub(super) fn order<'a>(
 
 /// True where a step belongs to the window that an order was fitted in.
 pub(super) fn in_window(order: &Order, step_s: f64) -> bool {
-    order.status == "fitted"
+    order.status == OrderStatus::Fitted
         && order.steps_used_s.iter().any(|used| (used - step_s).abs() <= 1e-9 * step_s.abs())
 }
 

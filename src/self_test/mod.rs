@@ -152,19 +152,8 @@ fn told_judge(judge: &judges::WrongJudge) -> Outcome {
     Outcome {
         name: format!("judge that {}", judge.name),
         place: "judge",
-        caught_by: judge.told_by().map(|row| format!("ladder-{}", ruling_word(row.right))).collect(),
+        caught_by: judge.told_by().map(|row| format!("ladder-{}", row.right)).collect(),
         scenes: Vec::new(),
-    }
-}
-
-/// The word of a ruling, for the column of the matrix: ladders that should pass, fail, and so on.
-fn ruling_word(ruling: Ruling) -> &'static str {
-    match ruling {
-        Ruling::Pass => "pass",
-        Ruling::Fail => "fail",
-        Ruling::Inconclusive => "inconclusive",
-        Ruling::NotApplicable => "not-applicable",
-        Ruling::Broken => "broken",
     }
 }
 
@@ -189,7 +178,7 @@ fn look_for(defect: &Defect) -> Outcome {
         let red: Vec<String> = verdicts(&defect.plant, scene)
             .into_iter()
             .filter(|v| matches!(v.verdict, Ruling::Fail | Ruling::Broken) && v.known_deviation.is_none())
-            .map(|verdict| verdict.claim)
+            .map(|verdict| verdict.claim.to_string())
             .collect();
         if !red.is_empty() {
             outcome.scenes.push(scene);

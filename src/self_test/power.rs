@@ -11,7 +11,7 @@ use crate::claim::Claim;
 use crate::gates::Baseline;
 use crate::interrupt;
 use crate::model::{Broken, Model};
-use crate::record::{Ruling, Verdict};
+use crate::record::{ClaimName, Ruling, Verdict};
 use crate::scenes::random;
 use crate::schemes::{Card, Scheme, Workspace};
 use crate::simulate::Contestant;
@@ -132,7 +132,7 @@ fn row(name: &'static str, judged: &[(u64, Vec<Verdict>)]) -> Row {
     let mut row = Row { name, ..Row::default() };
     for (number, verdicts) in judged {
         let mut worst = Ruling::NotApplicable;
-        for verdict in verdicts.iter().filter(|v| v.scheme == name && v.claim == "order") {
+        for verdict in verdicts.iter().filter(|v| v.scheme == name && v.claim == ClaimName::Order) {
             row.quantities.count(verdict.verdict);
             if verdict.verdict == Ruling::Inconclusive {
                 *row.causes.entry(cause(verdict)).or_default() += 1;

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use crate::campaign::{Campaign, Controls};
 use crate::interrupt;
-use crate::record::{Ruling, Verdict};
+use crate::record::{ClaimName, Ruling, Verdict};
 use crate::scenes::random;
 use crate::simulate::Contestant;
 
@@ -107,7 +107,7 @@ impl Findings {
         self.scenes += 1;
         let mut worst: BTreeMap<String, Ruling> = BTreeMap::new();
         for verdict in verdicts {
-            if verdict.claim == "references-agree" && verdict.quantity == "all" {
+            if verdict.claim == ClaimName::ReferencesAgree && verdict.quantity == "all" {
                 self.without_reference += 1;
             }
             self.verdicts.entry(verdict.scheme.clone()).or_default().count(verdict.verdict);

@@ -125,7 +125,7 @@ impl Made {
         let mut found = self
             .judge()
             .into_iter()
-            .filter(|v| v.claim == claim && v.quantity == quantity)
+            .filter(|v| v.claim.word() == claim && v.quantity == quantity)
             .collect::<Vec<_>>();
         assert_eq!(found.len(), 1, "{claim} {quantity}: {found:#?}");
         found.remove(0)
@@ -138,7 +138,7 @@ impl Made {
 
     /// The quantities that a claim has a verdict on.
     pub fn quantities(&self, claim: &str) -> Vec<String> {
-        self.judge().into_iter().filter(|v| v.claim == claim).map(|v| v.quantity).collect()
+        self.judge().into_iter().filter(|v| v.claim.word() == claim).map(|v| v.quantity).collect()
     }
 }
 

@@ -14,7 +14,7 @@ use crate::common::{contestant, scene};
 fn verdicts(contestant: Contestant, scene_name: &str, claim: &str) -> Vec<Verdict> {
     let scenes = vec![scene(scene_name)];
     let campaign = Campaign { baseline: Baseline::default(), ..Campaign::of(scenes, vec![contestant]) };
-    campaign.run().verdicts.into_iter().filter(|verdict| verdict.claim == claim).collect()
+    campaign.run().verdicts.into_iter().filter(|verdict| verdict.claim.word() == claim).collect()
 }
 
 /// A scheme of the list with one claim in place of its own.

@@ -1,7 +1,8 @@
 //! The energy of a free body.
 
 use polhode::internals::measure::regression::Fit;
-use polhode::internals::measure::{BAND, Class, EnergyDrift, EnergyRung};
+use polhode::internals::measure::{BAND, EnergyDrift, EnergyRung};
+use polhode::record::DriftClass as Class;
 use polhode::record::Ruling::{self, Fail, Inconclusive, NotApplicable, Pass};
 use polhode::record::Verdict;
 use polhode::schemes::{Claim, EnergyOfFreeBody};

@@ -15,7 +15,7 @@ const MOMENTUM: &[Claim] = &[Claim::Exact(Quantity::AngularMomentum, When::NoTor
 fn every_promise_speaks_of_its_own_scenes_and_of_no_other() {
     let speaks = |claims: &'static [Claim], scene: &str| {
         let made = Made::new(scene, claims).with_errors(Quantity::Velocity, &[0.0; 6], FLOOR);
-        made.judge().iter().find(|v| v.claim == "exact").expect("a verdict").verdict != NotApplicable
+        made.judge().iter().find(|v| v.claim.word() == "exact").expect("a verdict").verdict != NotApplicable
     };
     // Free; falling; under springs; on a pivot; a sphere; two equal moments.
     let scenes = ["free-asymmetric", "tether-springs", "heavy-asymmetric-top", "slow-sphere", "free-oblate"];
@@ -117,7 +117,7 @@ fn nothing_is_called_exact_where_rounding_leaves_the_rotation_open() {
         for (quantity, floor) in [(Quantity::Orientation, open), (Quantity::Position, 1.0)] {
             made.evidence.rungs[5].floors[quantity].max = floor;
         }
-        made.judge().into_iter().find(|v| v.claim == "exact").map(|v| v.verdict)
+        made.judge().into_iter().find(|v| v.claim.word() == "exact").map(|v| v.verdict)
     };
     for claims in [TURNS, SPINS] {
         assert_eq!([at(claims, 1e-3f64.next_up()), at(claims, 1e-3)], [Some(Inconclusive), None]);

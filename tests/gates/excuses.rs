@@ -1,10 +1,10 @@
 //! What excuses a slope outside the band: undecided then, and never a pass.
 
 use polhode::internals::gates::Control;
-use polhode::internals::measure::Class;
 use polhode::internals::measure::regression::Fit;
+use polhode::record::DriftClass as Class;
 use polhode::record::Ruling::{self, Broken, Fail, Inconclusive, Pass};
-use polhode::record::Verdict;
+use polhode::record::{ClaimName, Verdict};
 use polhode::schemes::{Claim, EnergyOfFreeBody, Quantity, When};
 
 use super::case::Made;
@@ -60,7 +60,7 @@ fn another_quantity_is_no_excuse_where_a_generic_scene_denies_the_order_and_none
 fn control(rulings: &[(&str, &str, Ruling)]) -> Control {
     let verdict = |(claim, quantity, ruling): &(&str, &str, Ruling)| Verdict {
         scene: "generic".to_owned(),
-        claim: (*claim).to_owned(),
+        claim: ClaimName::ALL.into_iter().find(|name| name.word() == *claim).expect("a claim"),
         quantity: (*quantity).to_owned(),
         verdict: *ruling,
         ..Verdict::default()

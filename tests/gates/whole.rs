@@ -41,7 +41,7 @@ fn the_worst_verdict_that_is_not_known_gives_the_exit_code() {
 fn a_scheme_that_cannot_take_a_scene_has_every_claim_not_applicable_with_the_reason() {
     let made = Made::new("free-asymmetric", &[Claim::Order(2), Claim::Rigid]);
     let verdicts = gates::refuse("here", &made.card, "it has wheels");
-    let claims: Vec<_> = verdicts.iter().map(|v| v.claim.as_str()).collect();
+    let claims: Vec<_> = verdicts.iter().map(|v| v.claim.word()).collect();
     assert_eq!(claims, ["order", "rigid"]);
     for found in verdicts {
         assert_eq!(
@@ -61,7 +61,7 @@ fn a_run_that_broke_is_told_of_a_scheme_that_claims_no_order() {
         }
         made.judge()
             .into_iter()
-            .filter(|v| v.claim == "run")
+            .filter(|v| v.claim.word() == "run")
             .map(|v| (v.verdict, v.quantity))
             .collect::<Vec<_>>()
     };
@@ -150,7 +150,7 @@ fn the_least_certain_quantity_is_named_and_nan_is_no_certainty() {
     let found = judged(uncertainty, turning);
     assert_eq!((found.verdict, found.quantity.as_str(), found.measured), (Pass, "orientation", Some(1e-8)));
     assert_eq!(
-        (found.scene.as_str(), found.scheme.as_str(), found.claim.as_str()),
+        (found.scene.as_str(), found.scheme.as_str(), found.claim.word()),
         ("here", "reference", "references-agree")
     );
     let certain = judged(PerQuantity::all(0.0), turning);

@@ -5,16 +5,14 @@ use std::path::Path;
 
 use polhode::campaign::Campaign;
 use polhode::gates;
-use polhode::record::{Records, Ruling};
+use polhode::record::{ClaimName, Records, Ruling};
 use polhode::scenes;
 use polhode::simulate::Contestant;
 
-type Rulings = BTreeMap<(String, String, String, String), (Ruling, bool)>;
+type Rulings = BTreeMap<(String, String, ClaimName, String), (Ruling, bool)>;
 
 fn rulings(records: &Records) -> Rulings {
-    let key = |v: &polhode::record::Verdict| {
-        (v.scene.clone(), v.scheme.clone(), v.claim.clone(), v.quantity.clone())
-    };
+    let key = |v: &polhode::record::Verdict| (v.scene.clone(), v.scheme.clone(), v.claim, v.quantity.clone());
     records.verdicts.iter().map(|v| (key(v), (v.verdict, v.known_deviation.is_some()))).collect()
 }
 

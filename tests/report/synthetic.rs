@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use polhode::record::{
-    Drift, Machine, Measurement, Order, Records, ReferenceRow, Ruling, SCHEMA, SceneRow, SchemeRow, Series,
-    Verdict,
+    ClaimName, Drift, DriftClass, Machine, Measurement, Order, OrderStatus, Records, ReferenceRow, Ruling,
+    RunStatus, SCHEMA, SceneRow, SchemeRow, Series, Verdict,
 };
 
 /// Scenes in the whole.
@@ -93,7 +93,7 @@ fn measurement(scene: usize, scheme: &SchemeRow, rung: i32, metric: &str, unit: 
         metric: metric.into(),
         unit: unit.into(),
         uncertainty: Some(2e-13),
-        status: "ok".into(),
+        status: RunStatus::Ok,
         force_evaluations: 1024,
         nanoseconds_per_step: Some(90.0 + 10.0 * chance(&format!("{rung}"))),
         ..Measurement::default()
@@ -106,7 +106,7 @@ fn ladder(scene: usize, scheme: &SchemeRow, quantity: &str, unit: &str) -> Vec<M
         (0..LADDER).map(|rung| measurement(scene, scheme, rung, &metric, unit)).collect();
     for row in &mut rows {
         if scene % 10 == 4 && row.step_s > 0.1 {
-            row.status = "broken".into();
+            row.status = RunStatus::Broken;
             row.why = Some("not finite at step 12, t = 3 s".into());
         } else if is_exact(scene, quantity) {
             row.value = Some(3e-16 * chance(&format!("{scene} {quantity} {}", row.step_s)));
@@ -125,10 +125,10 @@ fn order(scene: usize, scheme: &SchemeRow, quantity: &str, unit: &str, rows: &[M
     let measured = f64::from(scheme.order) + 0.04 * (chance(&format!("{scene} {quantity}")) - 0.5);
     let fitted = !exact && !unsettled && used.len() > 2;
     let status = match (exact, unsettled, fitted) {
-        (true, ..) => "exact",
-        (_, true, _) => "unsettled",
-        (.., true) => "fitted",
-        _ => "too-few",
+        (true, ..) => OrderStatus::Exact,
+        (_, true, _) => OrderStatus::Unsettled,
+        (.., true) => OrderStatus::Fitted,
+        _ => OrderStatus::TooFew,
     };
     Order {
         scene: format!("scene-{scene:02}"),
@@ -147,25 +147,25 @@ fn order(scene: usize, scheme: &SchemeRow, quantity: &str, unit: &str, rows: &[M
             1e-9 * chance(&format!("floor {scene} {quantity}")).powi(4) + 2e-13
         }),
         unit: unit.into(),
-        status: status.into(),
-        why: (status != "fitted").then(|| format!("{status}: slopes 1.5 to 2.2")),
+        status,
+        why: (status != OrderStatus::Fitted).then(|| format!("{status}: slopes 1.5 to 2.2")),
     }
 }
 
-fn verdict(scene: usize, scheme: &SchemeRow, claim: &str, order: &Order) -> Verdict {
-    let (ruling, detail) = match order.status.as_str() {
-        "fitted" if scene == 9 => {
+fn verdict(scene: usize, scheme: &SchemeRow, claim: ClaimName, order: &Order) -> Verdict {
+    let (ruling, detail) = match order.status {
+        OrderStatus::Fitted if scene == 9 => {
             (Ruling::Fail, "order 2.00 ± 0.01 outside 1 ± 0.15: 100 % wrong,\nsee the ladder")
         }
-        "fitted" => (Ruling::Pass, "inside the band"),
-        "exact" => (Ruling::NotApplicable, "exact: no order there"),
+        OrderStatus::Fitted => (Ruling::Pass, "inside the band"),
+        OrderStatus::Exact => (Ruling::NotApplicable, "exact: no order there"),
         _ if scene % 10 == 4 => (Ruling::Broken, "not finite at step 12, t = 3 s"),
         _ => (Ruling::Inconclusive, "slopes do not settle: 1.5 to 2.2"),
     };
     Verdict {
         scene: order.scene.clone(),
         scheme: scheme.name.clone(),
-        claim: claim.into(),
+        claim,
         quantity: order.quantity.clone(),
         verdict: ruling,
         measured: order.order,
@@ -209,7 +209,7 @@ fn drift(scene: usize, scheme: &SchemeRow) -> Drift {
         scene: format!("scene-{scene:02}"),
         scheme: scheme.name.clone(),
         quantity: "rotational-energy".into(),
-        class: "secular".into(),
+        class: DriftClass::Secular,
         rate_order: Some(power),
         low: Some(power - 0.01),
         high: Some(power + 0.01),
@@ -227,7 +227,7 @@ fn add(records: &mut Records, scene: usize, scheme: &SchemeRow) {
         let rows = ladder(scene, scheme, quantity, unit);
         if carries_order {
             let order = order(scene, scheme, quantity, unit, &rows);
-            records.verdicts.push(verdict(scene, scheme, "order", &order));
+            records.verdicts.push(verdict(scene, scheme, ClaimName::Order, &order));
             records.orders.push(order);
         }
         records.measurements.extend(rows.into_iter().map(Arc::new));

@@ -9,7 +9,8 @@ use super::synthetic::few;
 use crate::common::plots;
 use polhode::internals::report;
 use polhode::record::{
-    CostRow, Drift, Measurement, Order, Records, SCHEMA, ScalingRow, SchemeRow, Series, Verdict,
+    CostRow, Drift, Grows, Measurement, Order, OrderStatus, Records, RunStatus, SCHEMA, ScalingRow,
+    SchemeRow, Series, Verdict,
 };
 
 /// Writes the report into a fresh folder.
@@ -89,16 +90,16 @@ fn rows_that_name_no_known_scene_or_hold_no_number_make_a_report() {
         scene: "../odd".into(),
         scheme: "x".into(),
         metric: "position-end".into(),
-        status: "broken".into(),
+        status: RunStatus::Broken,
         step_s: 0.1,
         ..Measurement::default()
     };
-    let not_a_number = Measurement { value: Some(f64::NAN), status: "ok".into(), ..broken.clone() };
+    let not_a_number = Measurement { value: Some(f64::NAN), status: RunStatus::Ok, ..broken.clone() };
     let records = Records {
         schema: SCHEMA.into(),
         measurements: [broken, not_a_number, Measurement::default()].map(Arc::new).into(),
         orders: vec![Order {
-            status: "fitted".into(),
+            status: OrderStatus::Fitted,
             quantity: "orientation-end".into(),
             ..Order::default()
         }],
@@ -177,7 +178,7 @@ fn the_overview_of_cost_needs_two_families_and_scaling_its_rows() {
     assert!(pictures.iter().all(|name| !is_drawn(folder.path(), name)));
     records.schemes[1].family = "another".into();
     let row = |size, value| ScalingRow {
-        what: "points".into(),
+        what: Grows::Points,
         scheme: "peskin-rk2".into(),
         form: "points, free".into(),
         size,

@@ -2,7 +2,7 @@
 
 use polhode::campaign::Campaign;
 use polhode::gates::{self, Baseline};
-use polhode::record::{Records, Ruling};
+use polhode::record::{ClaimName, Records, Ruling};
 use polhode::scenes::{Scene, SceneError};
 use polhode::simulate::Contestant;
 
@@ -100,7 +100,10 @@ fn scenes_never_seen_before_pass_the_gate() {
             .map(|v| format!("{} {} {}: {}", v.scheme, v.claim, v.quantity, v.detail))
             .collect();
         assert_eq!(gates::exit_code(&records.verdicts), 0, "{text}\n{held_against:#?}");
-        assert!(records.verdicts.iter().any(|v| v.claim == "order" && v.verdict == Ruling::Pass), "{text}");
+        assert!(
+            records.verdicts.iter().any(|v| v.claim == ClaimName::Order && v.verdict == Ruling::Pass),
+            "{text}"
+        );
     }
 }
 

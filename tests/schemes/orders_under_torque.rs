@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use polhode::campaign::Campaign;
 use polhode::gates::Baseline;
-use polhode::record::{Records, Ruling};
+use polhode::record::{ClaimName, Records, Ruling};
 use polhode::simulate::Contestant;
 
 use crate::common::scene;
@@ -36,7 +36,7 @@ fn every_order_that_is_claimed_holds_in_every_quantity_on_three_of_seven_scenes(
     let records = measured();
     // Scenes by scheme, with whether all orders hold.
     let mut held: BTreeMap<&str, BTreeMap<&str, bool>> = BTreeMap::new();
-    for verdict in records.verdicts.iter().filter(|v| v.claim == "order") {
+    for verdict in records.verdicts.iter().filter(|v| v.claim == ClaimName::Order) {
         let all = held.entry(&verdict.scheme).or_default().entry(&verdict.scene).or_insert(true);
         *all &= verdict.verdict == Ruling::Pass;
     }

@@ -2,7 +2,7 @@
 
 use polhode::campaign::Campaign;
 use polhode::model::{Broken, Model};
-use polhode::record::Ruling;
+use polhode::record::{ClaimName, Ruling};
 use polhode::schemes::Claim;
 use polhode::schemes::{Card, Scheme, Workspace};
 use polhode::simulate::{Contestant, Form, Plan};
@@ -83,7 +83,7 @@ fn a_run_that_breaks_at_every_step_of_the_ladder_is_undecided_only_where_a_small
     let rulings = |contestant: Contestant| {
         let scene = scene("free-asymmetric");
         let verdicts = Campaign::of(vec![scene], vec![contestant]).run().verdicts;
-        let own = verdicts.into_iter().filter(|v| v.scheme == "unsolved" && v.claim == "order");
+        let own = verdicts.into_iter().filter(|v| v.scheme == "unsolved" && v.claim == ClaimName::Order);
         own.map(|verdict| (verdict.verdict, verdict.detail)).collect::<Vec<_>>()
     };
     let never = rulings(Contestant::new::<Unsolved<0>>());

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use polhode::internals::study::stability::{self, Bench, Failure, Meaning, Truth, attempt, limits, theory};
 use polhode::model::{Broken, Model};
-use polhode::record::stability::Stability;
+use polhode::record::stability::{LimitStatus, LongRunClass, Stability};
 use polhode::scenes::Scene;
 use polhode::schemes::Claim;
 use polhode::schemes::{Card, Scheme, Workspace};
@@ -66,9 +66,8 @@ fn without_damping_the_note_s_scheme_grows_by_an_eighth_of_the_fourth_power() {
 fn the_largest_usable_step_stands_between_usable_and_failing_ones() {
     let (truth, contestant) = (truth("heavy-asymmetric-top"), contestant("peskin-rk2"));
     for row in limits("heavy-asymmetric-top", &contestant, &truth) {
-        assert_eq!(row.status, "limit", "{row:?}");
-        let meaning =
-            Meaning::ALL.into_iter().find(|meaning| meaning.word() == row.meaning).expect("a meaning");
+        assert_eq!(row.status, LimitStatus::Limit, "{row:?}");
+        let meaning = row.meaning;
         let at = |step: f64| attempt(&contestant, &truth, (truth.duration / step).round() as u64);
         let (good, bad) = (row.step_s.expect("a step"), row.fails_at_s.expect("a step"));
         assert!(
@@ -173,7 +172,7 @@ impl Scheme for Spoiled {
 fn a_run_that_breaks_is_a_row_and_a_cell_and_ends_nothing() {
     let contestant = Contestant::new::<Spoiled>();
     let rows = limits("heavy-asymmetric-top", &contestant, &truth("heavy-asymmetric-top"));
-    assert_eq!(rows[0].status, "limit");
+    assert_eq!(rows[0].status, LimitStatus::Limit);
     assert_eq!(rows[0].failure.as_deref(), Some("NaN or overflow"));
     assert!(rows[0].step_s.expect("a step") <= 0.05 && rows[0].fails_at_s.expect("a step") > 0.05);
     let map = stability::map("free-spin-step", &contestant, 8).expect("a map");
@@ -184,7 +183,7 @@ fn a_run_that_breaks_is_a_row_and_a_cell_and_ends_nothing() {
 #[test]
 fn a_scheme_that_cannot_take_a_scene_says_why() {
     let rows = limits("gravity-drag", &contestant("exact-rotor"), &truth("gravity-drag"));
-    assert!(rows.iter().all(|row| row.status == "not-applicable" && row.step_s.is_none()));
+    assert!(rows.iter().all(|row| row.status == LimitStatus::NotApplicable && row.step_s.is_none()));
     assert!(rows[0].detail.as_deref().is_some_and(|why| why.contains("velocity")));
 }
 
@@ -240,13 +239,13 @@ fn no_scheme_keeps_its_order_across_a_damped_bounce() {
 fn a_long_run_tells_rounding_from_drift() {
     let of = |name: &str| stability::long_run("free-oblate", &contestant(name), 100_000).expect("a run");
     let drift = of("peskin-rk2");
-    assert_eq!(drift.class, "secular");
+    assert_eq!(drift.class, LongRunClass::Secular);
     assert!((drift.growth_power.expect("a power") - 1.0).abs() < 0.1, "{:?}", drift.growth_power);
     let rounding = of("exact-rotor");
     let largest = rounding.energy_change.iter().map(|change| change.abs()).fold(0.0, f64::max);
     // n u at most: every step rounds a few times.
     assert!(largest < 8.0 * 1e5 * f64::EPSILON, "{largest}");
-    assert!(rounding.class != "secular" && rounding.class != "saturated", "{}", rounding.class);
+    assert!(!matches!(rounding.class, LongRunClass::Secular | LongRunClass::Saturated), "{}", rounding.class);
 }
 
 #[test]

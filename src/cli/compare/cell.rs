@@ -3,7 +3,7 @@
 use super::ladder::Ladder;
 use super::row::{Row, Standing};
 use super::side::Side;
-use crate::record::{Drift, Measurement, Order};
+use crate::record::{Drift, DriftClass, Measurement, Order, OrderStatus, RunStatus};
 
 /// Orders that differ by no more than this are the same.
 const SAME_ORDER: f64 = 0.15;
@@ -69,7 +69,7 @@ impl<'a> Cell<'a> {
     /// The reason of a side that does not take the scene.
     fn refusal(&self) -> Option<Row> {
         let reason = |side: usize| {
-            let refused = self.runs[side].iter().find(|run| run.status == "not-applicable")?;
+            let refused = self.runs[side].iter().find(|run| run.status == RunStatus::NotApplicable)?;
             Some(refused.why.clone().unwrap_or_else(|| "not applicable".to_owned()))
         };
         let (first, second) = (reason(0), reason(1));
@@ -101,7 +101,7 @@ impl<'a> Cell<'a> {
     fn order(&self, before: &Order, after: &Order) -> Row {
         let kind = |row: &Order| match (row.order, row.low, row.high) {
             (Some(order), Some(low), Some(high)) => format!("{order:.3} ± {:.3}", (high - low) / 2.0),
-            _ => row.status.clone(),
+            _ => row.status.to_string(),
         };
         let size = |row: &Order| row.constant.map_or("–".to_owned(), |c| format!("{c:.3e}"));
         let same_claim = {
@@ -113,19 +113,19 @@ impl<'a> Cell<'a> {
         let orders = before.order.zip(after.order);
         let at_equal_work = match (ratio, orders) {
             (Some(ratio), Some((order, _))) => Some(ratio * self.work_ratio().powf(order)),
-            _ if before.status == "exact" && after.status == "exact" => None,
+            _ if before.status == OrderStatus::Exact && after.status == OrderStatus::Exact => None,
             _ => self.errors_at_equal_work(&before.quantity),
         };
         let lost = self.before_and_after && before.order.is_some() && after.order.is_none();
-        let broke = after.status == "broken" && before.status != "broken";
+        let broke = after.status == OrderStatus::Broken && before.status != OrderStatus::Broken;
         let standing = match orders {
             Some((a, b)) if b < a - SAME_ORDER => Standing::Worse,
             Some((a, b)) if b > a + SAME_ORDER => Standing::Better,
             Some(_) if ratio.is_some() => {
                 at_equal_work.map_or(Standing::Undecided, |r| Standing::of_ratio(r, SAME_CONSTANT))
             }
-            _ if before.status == "exact" && after.status == "exact" => Standing::Same,
-            _ if broke || (lost && after.status != "exact") => Standing::Worse,
+            _ if before.status == OrderStatus::Exact && after.status == OrderStatus::Exact => Standing::Same,
+            _ if broke || (lost && after.status != OrderStatus::Exact) => Standing::Worse,
             _ => at_equal_work.map_or(Standing::Undecided, |r| Standing::of_ratio(r, SAME_DRIFT)),
         };
         let kinds = [kind(before), kind(after)];
@@ -156,10 +156,10 @@ impl<'a> Cell<'a> {
     fn drift(&self, before: &Drift, after: &Drift) -> Row {
         let kind = |row: &Drift| match row.rate_order {
             Some(order) => format!("{}, h^{order:.2}", row.class),
-            None => row.class.clone(),
+            None => row.class.to_string(),
         };
-        let size = |row: &Drift| match (row.class.as_str(), row.rate) {
-            ("secular" | "growing", Some(rate)) => format!("{rate:.2e} 1/s"),
+        let size = |row: &Drift| match (row.class, row.rate) {
+            (DriftClass::Secular | DriftClass::Growing, Some(rate)) => format!("{rate:.2e} 1/s"),
             _ => row.level.map_or("–".to_owned(), |level| format!("at most {level:.1e}")),
         };
         // What the rate would be at h = 1 s.
@@ -170,13 +170,13 @@ impl<'a> Cell<'a> {
             Some((order, _)) => ratio.map(|ratio| ratio * self.work_ratio().powf(order)),
             None => self.errors_at_equal_work("rotational-energy-drift-level"),
         };
-        let standing = match (rank(&before.class), rank(&after.class), rates) {
+        let standing = match (rank(before.class), rank(after.class), rates) {
             (None, _, _) | (_, None, _) => Standing::Undecided,
             (Some(a), Some(b), _) if b > a => Standing::Worse,
             (Some(a), Some(b), _) if b < a => Standing::Better,
             (_, _, Some((a, b))) if b < a - SAME_ORDER => Standing::Worse,
             (_, _, Some((a, b))) if b > a + SAME_ORDER => Standing::Better,
-            _ if before.class == "exact" => Standing::Same,
+            _ if before.class == DriftClass::Exact => Standing::Same,
             _ => at_equal_work.map_or(Standing::Undecided, |r| Standing::of_ratio(r, SAME_DRIFT)),
         };
         let quantity = format!("drift: {}", before.quantity);
@@ -213,7 +213,7 @@ impl<'a> Cell<'a> {
 
     /// Force evaluations a step in the longest whole run.
     fn evaluations(&self, side: usize) -> Option<f64> {
-        let whole = self.runs[side].iter().filter(|run| run.status == "ok" && run.steps > 0);
+        let whole = self.runs[side].iter().filter(|run| run.status == RunStatus::Ok && run.steps > 0);
         let longest = whole.max_by_key(|run| run.steps)?;
         (longest.force_evaluations > 0).then(|| longest.force_evaluations as f64 / longest.steps as f64)
     }
@@ -227,12 +227,12 @@ impl<'a> Cell<'a> {
 }
 
 /// Kinds of drift from the best to the worst; `None` where none could be told.
-fn rank(class: &str) -> Option<u8> {
+fn rank(class: DriftClass) -> Option<u8> {
     match class {
-        "exact" => Some(0),
-        "bounded" => Some(1),
-        "secular" => Some(2),
-        "growing" => Some(3),
-        _ => None,
+        DriftClass::Exact => Some(0),
+        DriftClass::Bounded => Some(1),
+        DriftClass::Secular => Some(2),
+        DriftClass::Growing => Some(3),
+        DriftClass::Undecided => None,
     }
 }

@@ -1,6 +1,6 @@
 //! The runs of one scheme in one scene, as error against work.
 
-use crate::record::Measurement;
+use crate::record::{Measurement, RunStatus};
 
 /// An error this many times its floor is no rounding.
 const CLEAR: f64 = 10.0;
@@ -23,7 +23,7 @@ impl Ladder {
     pub(super) fn of(runs: &[&Measurement], metric: &str) -> Ladder {
         let mut points: Vec<Point> = runs
             .iter()
-            .filter(|run| run.metric == metric && run.status == "ok" && run.force_evaluations > 0)
+            .filter(|run| run.metric == metric && run.status == RunStatus::Ok && run.force_evaluations > 0)
             .filter_map(|run| {
                 let floor = run.uncertainty.unwrap_or(0.0);
                 Some(Point { work: run.force_evaluations as f64, error: run.value?.abs(), floor })

@@ -1,6 +1,7 @@
 //! Orders whose asymptotic range, above rounding, is too short or is not reached.
 
 use super::Deviation;
+use crate::record::ClaimName;
 
 const FEW_RUNGS: &str = "the slopes settle at the claimed order, but between the steps where they begin to and those where \
      rounding takes over there are fewer rungs than a window needs";
@@ -25,7 +26,7 @@ const fn order(
     reason: &'static str,
     places: &'static [(&'static str, &'static [&'static str])],
 ) -> Deviation {
-    Deviation { reason, claim: "order", quantities: &[], places }
+    Deviation { reason, claim: ClaimName::Order, quantities: &[], places }
 }
 
 pub(super) const KNOWN: &[Deviation] = &[
@@ -86,7 +87,7 @@ pub(super) const KNOWN: &[Deviation] = &[
     ),
     Deviation {
         reason: FLIPS_CANCEL,
-        claim: "flip-times",
+        claim: ClaimName::FlipTimes,
         quantities: &[],
         places: &[
             ("jsbsim-rotations", &["adams-bashforth-2", "buss-augmented"]),

@@ -1,6 +1,7 @@
 //! Orders in h of the rate at which a free body's energy changes.
 
 use super::Deviation;
+use crate::record::ClaimName;
 
 const RATE: &[&str] = &["rotational-energy-rate"];
 
@@ -18,19 +19,19 @@ const ROUNDING_DRIFTS: &str = "a step takes L apart into moments and spins and p
 pub(super) const KNOWN: &[Deviation] = &[
     Deviation {
         reason: BELOW_ROUNDING,
-        claim: "energy",
+        claim: ClaimName::Energy,
         quantities: RATE,
         places: &[("thin-body", &["magnus-4", "peskin-rk4", "rk4-matrix", "rk4-quaternion"])],
     },
     Deviation {
         reason: ROUNDING_DRIFTS,
-        claim: "energy",
+        claim: ClaimName::Energy,
         quantities: RATE,
         places: &[("thin-body", &["generalized-alpha"])],
     },
     Deviation {
         reason: NEVER_STEADY,
-        claim: "energy",
+        claim: ClaimName::Energy,
         quantities: RATE,
         places: &[
             ("dzhanibekov", &["euler"]),
@@ -45,7 +46,7 @@ pub(super) const KNOWN: &[Deviation] = &[
     },
     Deviation {
         reason: VANISHES,
-        claim: "energy",
+        claim: ClaimName::Energy,
         quantities: RATE,
         places: &[("osrf-boxes-complex", &["peskin-ralston"])],
     },

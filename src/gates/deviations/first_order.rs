@@ -1,6 +1,7 @@
 //! Orders of first-order rules over many turns.
 
 use super::{Deviation, ROTATION, WITHOUT_SPIN};
+use crate::record::ClaimName;
 
 /// Those whose every error is of first order.
 const EULER: &[&str] = &["euler", "course-notes-euler", "course-code-euler", "substepped-4-euler"];
@@ -17,13 +18,13 @@ const BLOWN_UP: &str = "the energy of the explicit gyroscopic term grows without
 pub(super) const KNOWN: &[Deviation] = &[
     Deviation {
         reason: SATURATED,
-        claim: "order",
+        claim: ClaimName::Order,
         quantities: ROTATION,
         places: &[("mujoco-fast-spin", EULER), ("thin-body", EULER)],
     },
     Deviation {
         reason: SATURATED,
-        claim: "order",
+        claim: ClaimName::Order,
         quantities: &[],
         places: &[
             ("thin-body", &["euler-linear"]),
@@ -33,7 +34,7 @@ pub(super) const KNOWN: &[Deviation] = &[
     },
     Deviation {
         reason: HIDDEN,
-        claim: "order",
+        claim: ClaimName::Order,
         quantities: WITHOUT_SPIN,
         places: &[(
             "thin-body",
@@ -46,13 +47,13 @@ pub(super) const KNOWN: &[Deviation] = &[
     },
     Deviation {
         reason: HIDDEN,
-        claim: "order",
+        claim: ClaimName::Order,
         quantities: &[],
         places: &[("mujoco-fast-spin", &["semi-implicit-euler-implicit-gyro", "momentum-clamped-euler"])],
     },
     Deviation {
         reason: BLOWN_UP,
-        claim: "order",
+        claim: ClaimName::Order,
         quantities: &[],
         places: &[("mujoco-fast-spin", &["semi-implicit-euler-explicit-gyro"])],
     },

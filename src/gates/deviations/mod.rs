@@ -9,13 +9,13 @@ mod first_order;
 mod rounding;
 mod solvers;
 
-use crate::record::{Ruling, Verdict};
+use crate::record::{ClaimName, Ruling, Verdict};
 use crate::schemes::Card;
 
 /// Verdicts that are known not to hold, for one reason.
 struct Deviation {
     reason: &'static str,
-    claim: &'static str,
+    claim: ClaimName,
     /// Every quantity that does not hold, where none is named; then one of them at least must not.
     quantities: &'static [&'static str],
     /// Scenes, and the schemes that deviate there.
@@ -85,8 +85,12 @@ impl Deviation {
 mod tests {
     use super::*;
 
-    const WHOLE: Deviation =
-        Deviation { reason: "it is so", claim: "order", quantities: &[], places: &[("here", &["euler"])] };
+    const WHOLE: Deviation = Deviation {
+        reason: "it is so",
+        claim: ClaimName::Order,
+        quantities: &[],
+        places: &[("here", &["euler"])],
+    };
     const PART: Deviation = Deviation { quantities: &["end"], ..WHOLE };
 
     /// Rulings on quantities, as they are after a deviation has been marked: whether each is known, and what it is.
@@ -94,7 +98,7 @@ mod tests {
         let verdict = |(quantity, ruling): &(&str, Ruling)| Verdict {
             scene: "here".to_owned(),
             scheme: scheme.to_owned(),
-            claim: "order".to_owned(),
+            claim: ClaimName::Order,
             quantity: (*quantity).to_owned(),
             verdict: *ruling,
             ..Verdict::default()
@@ -129,7 +133,7 @@ mod tests {
                 let mut verdicts = [Verdict {
                     scene: (*scene).to_owned(),
                     scheme: schemes[0].to_owned(),
-                    claim: known.claim.to_owned(),
+                    claim: known.claim,
                     quantity: known.quantities.first().unwrap_or(&"all").to_string(),
                     verdict: Fail,
                     ..Verdict::default()
@@ -154,14 +158,14 @@ mod tests {
         let own = Verdict {
             scene: "here".to_owned(),
             scheme: "euler".to_owned(),
-            claim: "order".to_owned(),
+            claim: ClaimName::Order,
             verdict: Fail,
             ..Verdict::default()
         };
         let others = [
             Verdict { scene: "there".to_owned(), ..own.clone() },
             Verdict { scheme: "rkmk4".to_owned(), ..own.clone() },
-            Verdict { claim: "exact".to_owned(), ..own.clone() },
+            Verdict { claim: ClaimName::Exact, ..own.clone() },
             own,
         ];
         let mut verdicts = others.to_vec();

@@ -8,7 +8,7 @@ mod tables;
 use minijinja::Value;
 use serde::Serialize;
 
-use crate::record::{Machine, Records, Verdict};
+use crate::record::{ClaimName, Machine, Records, Verdict};
 
 use super::engines;
 use super::number;
@@ -75,7 +75,7 @@ struct VerdictRow {
     scene: String,
     anchor: String,
     scheme: String,
-    claim: String,
+    claim: &'static str,
     quantity: String,
     measured: String,
     detail: String,
@@ -91,7 +91,7 @@ impl VerdictRow {
             scene: verdict.scene.clone(),
             anchor: survey::file_stem(&verdict.scene),
             scheme: verdict.scheme.clone(),
-            claim: verdict.claim.clone(),
+            claim: verdict.claim.word(),
             quantity: verdict.quantity.clone(),
             measured: measured(verdict),
             detail: verdict.detail.clone(),
@@ -104,7 +104,7 @@ impl VerdictRow {
 fn measured(verdict: &Verdict) -> String {
     let Some(value) = verdict.measured else { return number::NONE.into() };
     match (verdict.low, verdict.high) {
-        (Some(low), Some(high)) if verdict.claim == "order" => {
+        (Some(low), Some(high)) if verdict.claim == ClaimName::Order => {
             number::order(Some(value), Some(low), Some(high))
         }
         (Some(low), Some(high)) if low < high => {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use crate::record::{Measurement, Records, ReferenceRow, SceneRow};
+use crate::record::{Measurement, Records, ReferenceRow, RunStatus, SceneRow};
 use crate::report::plot::{Cast, Group, Subject};
 use crate::report::{number, survey};
 
@@ -192,9 +192,9 @@ fn measures(rows: &[&Measurement], schemes: &[&str]) -> Vec<Measure> {
 }
 
 fn measured(row: &Measurement) -> String {
-    if row.status != "ok" && !row.status.is_empty() {
+    if row.status != RunStatus::Ok {
         let why = row.why.as_ref().map(|why| format!(": {why}")).unwrap_or_default();
-        return format!("{}{why}", row.status.replace('-', " "));
+        return format!("{}{why}", row.status.word().replace('-', " "));
     }
     number::quantity(row.value, row.uncertainty, &row.unit)
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use crate::record::{Drift, Measurement, Order, Records, SchemeRow};
+use crate::record::{Drift, Measurement, Order, OrderStatus, Records, RunStatus, SchemeRow};
 use crate::report::{number, survey};
 
 /// A scheme's card.
@@ -82,9 +82,9 @@ pub(super) fn order_summary(records: &Records) -> (Vec<String>, Vec<OrderSummary
 
 /// An order with its interval, or why there is none.
 pub(super) fn order_words(order: &Order) -> String {
-    match order.status.as_str() {
-        "fitted" => number::order(order.order, order.low, order.high),
-        status => status.replace('-', " "),
+    match order.status {
+        OrderStatus::Fitted => number::order(order.order, order.low, order.high),
+        status => status.word().replace('-', " "),
     }
 }
 
@@ -148,7 +148,7 @@ pub(super) struct DriftRow {
     anchor: String,
     scheme: String,
     quantity: String,
-    class: String,
+    class: &'static str,
     rate_order: String,
     rate: String,
     level: String,
@@ -163,7 +163,7 @@ impl DriftRow {
             anchor: survey::file_stem(&drift.scene),
             scheme: drift.scheme.clone(),
             quantity: survey::quantity_words(&drift.quantity),
-            class: drift.class.clone(),
+            class: drift.class.word(),
             rate_order: number::order(drift.rate_order, drift.low, drift.high),
             rate: number::quantity(drift.rate, None, &rate_unit),
             level: number::quantity(drift.level, None, &drift.unit),
@@ -184,7 +184,7 @@ pub(super) struct BrokenRun {
 
 /// The runs that broke, each once however many metrics it left without a value.
 pub(super) fn broken_runs(records: &Records) -> Vec<BrokenRun> {
-    let broken = records.measurements.iter().filter(|row| row.status == "broken");
+    let broken = records.measurements.iter().filter(|row| row.status == RunStatus::Broken);
     let mut seen = std::collections::HashSet::new();
     let first = broken.filter(|row| seen.insert((&row.scene, &row.scheme, row.step_s.to_bits(), &row.why)));
     let run = |row: &Arc<Measurement>| BrokenRun {

@@ -1,5 +1,6 @@
 //! One panel of a convergence picture: one quantity, every scheme.
 
+use crate::record::OrderStatus;
 use crate::report::{number, survey};
 
 use super::axis::Axis;
@@ -170,8 +171,8 @@ fn label(palette: &Palette, panel: &Panel, curve: &Curve) -> Option<Label> {
 /// What stands at a curve's end: its order with the interval, or why it has none.
 pub(super) fn label_words(curve: &Curve) -> String {
     match curve.order {
-        Some(fit) if fit.status == "fitted" => number::order(fit.order, fit.low, fit.high),
-        Some(fit) => fit.status.replace('-', " "),
+        Some(fit) if fit.status == OrderStatus::Fitted => number::order(fit.order, fit.low, fit.high),
+        Some(fit) => fit.status.word().replace('-', " "),
         None => "no fit".into(),
     }
 }

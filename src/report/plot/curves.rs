@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::record::{Measurement, Order, Records};
+use crate::record::{Measurement, Order, OrderStatus, Records, RunStatus};
 use crate::report::survey;
 
 /// Quantities in the order that pictures show them in; others follow.
@@ -39,7 +39,7 @@ impl Curve<'_> {
     /// error is larger than its uncertainty.
     pub(super) fn is_exact(&self) -> bool {
         match self.order {
-            Some(order) => order.status == "exact",
+            Some(order) => order.status == OrderStatus::Exact,
             None => !self.rungs.is_empty() && self.rungs.iter().all(|rung| rung.lost),
         }
     }
@@ -133,6 +133,6 @@ pub(super) fn curve<'a>(scheme: &'a str, rows: &[&Measurement], order: Option<&'
         })
         .collect();
     rungs.sort_by(|a, b| a.step.total_cmp(&b.step));
-    let broken = mine().filter(|row| row.status == "broken").map(|row| row.step_s.log10()).collect();
+    let broken = mine().filter(|row| row.status == RunStatus::Broken).map(|row| row.step_s.log10()).collect();
     Curve { scheme, rungs, broken, order }
 }

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use crate::record::{Drift, Measurement, Records};
+use crate::record::{Drift, DriftClass, Measurement, Records};
 use crate::report::{number, survey};
 
 use super::axis::Axis;
@@ -86,7 +86,7 @@ fn drifting(records: &Records) -> Vec<Drifting<'_>> {
 
 /// Whether what is left of a drift is rounding.
 fn is_exact(records: &Records, scene: &str, scheme: &str) -> bool {
-    let exact = |row: &Drift| row.quantity == QUANTITY && row.class == "exact";
+    let exact = |row: &Drift| row.quantity == QUANTITY && row.class == DriftClass::Exact;
     records.drifts.iter().any(|row| row.scene == scene && row.scheme == scheme && exact(row))
 }
 

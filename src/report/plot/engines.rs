@@ -4,7 +4,7 @@
 
 use std::sync::Arc;
 
-use crate::record::{EngineRow, Measurement, Records};
+use crate::record::{EngineRow, Measurement, Records, RunStatus};
 use crate::report::{ranking, survey};
 
 use super::axis::Axis;
@@ -82,7 +82,7 @@ const OURS: Look = Look { ink: SOFT, text: INK, marker: Marker::Disc };
 
 fn lines<'a>(records: &'a Records, scene: &str, palette: &Palette) -> Vec<Line<'a>> {
     let metric = ranking::quantity(records, scene);
-    let here = |row: &&Measurement| row.scene == scene && row.metric == metric && row.status == "ok";
+    let here = |row: &&Measurement| row.scene == scene && row.metric == metric && row.status == RunStatus::Ok;
     let rows: Vec<&Measurement> = records.measurements.iter().map(Arc::as_ref).filter(here).collect();
     let line = |scheme: &'a str| {
         let engine = records.engines.iter().find(|row| row.scheme == scheme);

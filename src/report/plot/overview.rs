@@ -1,7 +1,7 @@
 //! One picture of everything: the errors of all scenes against the step, and every measured order beside the
 //! claimed ones.
 
-use crate::record::Records;
+use crate::record::{OrderStatus, Records};
 use crate::report::survey::{self, Outcome};
 
 use super::legend::{self, Entry, Sign};
@@ -21,7 +21,7 @@ const QUANTITIES: [&str; 2] = ["orientation-end", "body-point-end"];
 /// The picture; `None` where no order was fitted.
 pub(super) fn sketch(records: &Records, palette: &Palette) -> Option<Sketch> {
     let fitted = |quantity: &&str| {
-        records.orders.iter().any(|row| row.quantity == **quantity && row.status == "fitted")
+        records.orders.iter().any(|row| row.quantity == **quantity && row.status == OrderStatus::Fitted)
     };
     let quantity = QUANTITIES.into_iter().find(fitted)?;
     let scenes = ordered_scenes(records);
@@ -49,10 +49,9 @@ pub(super) fn sketch(records: &Records, palette: &Palette) -> Option<Sketch> {
 /// The scenes in which some order was fitted.
 fn ordered_scenes(records: &Records) -> Vec<&str> {
     let fitted = |scene: &&str| {
-        records
-            .orders
-            .iter()
-            .any(|row| row.scene == **scene && row.status == "fitted" && row.quantity.ends_with("-end"))
+        records.orders.iter().any(|row| {
+            row.scene == **scene && row.status == OrderStatus::Fitted && row.quantity.ends_with("-end")
+        })
     };
     let set_apart =
         |scene: &&str| records.scenes.iter().any(|row| row.name == **scene && row.not_for_order.is_some());

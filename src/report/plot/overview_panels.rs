@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::record::{Measurement, Order, Records};
+use crate::record::{Measurement, Order, OrderStatus, Records};
 use crate::report::{number, survey};
 
 use super::axis::Axis;
@@ -171,7 +171,7 @@ fn draw_column(
         sketch.line(vec![(panel.frame.left, y), (panel.frame.right, y)], GRID, 2.0);
         let here = |order: &&Order| {
             let claimed = survey::claimed_order(records, &order.scheme) == Some(claim);
-            claimed && order.scene == *scene && order.status == "fitted"
+            claimed && order.scene == *scene && order.status == OrderStatus::Fitted
         };
         // The quantity that stands for the scene comes last and so lies on top.
         let mut orders: Vec<&Order> = records.orders.iter().filter(here).collect();

@@ -1,6 +1,6 @@
 //! How cost grows: a step with the mass points of the body, a campaign with its cells and its threads.
 
-use crate::record::{Records, ScalingRow};
+use crate::record::{Grows, Records, ScalingRow};
 use crate::report::survey;
 
 use super::line_chart::{Line, LineChart, LinePanel};
@@ -9,8 +9,8 @@ use super::sketch::Sketch;
 /// The picture; `None` where nothing was measured.
 pub(super) fn sketch(records: &Records) -> Option<Sketch> {
     let panels: Vec<LinePanel> = [
-        panel(records, "points", "mass points K", "Cost of a step [ns], one thread"),
-        panel(records, "cells", "cells: schemes × scenes", "Time of a campaign [s]"),
+        panel(records, Grows::Points, "mass points K", "Cost of a step [ns], one thread"),
+        panel(records, Grows::Cells, "cells: schemes × scenes", "Time of a campaign [s]"),
     ]
     .into_iter()
     .flatten()
@@ -30,7 +30,7 @@ fn subtitle(records: &Records) -> String {
     })
 }
 
-fn panel(records: &Records, what: &str, across: &str, up: &str) -> Option<LinePanel> {
+fn panel(records: &Records, what: Grows, across: &str, up: &str) -> Option<LinePanel> {
     let rows: Vec<&ScalingRow> = records.scaling.iter().filter(|row| row.what == what).collect();
     let names: Vec<String> = rows.iter().map(|row| name(row)).collect();
     let line = |words: &str| Line {
@@ -51,8 +51,8 @@ fn panel(records: &Records, what: &str, across: &str, up: &str) -> Option<LinePa
 }
 
 fn name(row: &ScalingRow) -> String {
-    match row.what.as_str() {
-        "points" => row.form.clone(),
+    match row.what {
+        Grows::Points => row.form.clone(),
         _ if row.threads == 1 => "1 thread".to_owned(),
         _ => format!("{} threads", row.threads),
     }

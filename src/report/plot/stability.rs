@@ -1,6 +1,6 @@
 //! The curves of a study of stability: limits beside theory, energy over many steps, and the law of the energy.
 
-use crate::record::stability::{LinearLimit, LongRun, Stability};
+use crate::record::stability::{LimitStatus, LinearLimit, LongRun, Meaning, Stability};
 use crate::report::survey;
 
 use super::axis::Axis;
@@ -78,8 +78,11 @@ fn limits(study: &Stability) -> Option<Sketch> {
 /// Scenes of the picture of limits, where the study holds them.
 const SHOWN: [&str; 3] = ["free-asymmetric", "dzhanibekov", "heavy-asymmetric-top"];
 /// The meanings of usable and their markers.
-const MEANINGS: [(&str, Marker); 3] =
-    [("bounded", Marker::Square), ("energy", Marker::Triangle), ("orientation", Marker::Disc)];
+const MEANINGS: [(Meaning, Marker); 3] = [
+    (Meaning::Bounded, Marker::Square),
+    (Meaning::Energy, Marker::Triangle),
+    (Meaning::Orientation, Marker::Disc),
+];
 
 fn ink(meaning: usize) -> plotters::style::RGBColor {
     super::palette::COLOURS[meaning]
@@ -132,7 +135,7 @@ fn draw_scene(
                 continue;
             };
             let place = (panel.across(radians.log10()), row(index));
-            sketch.marker(*marker, place, 9.0, ink(meaning), limit.status == "limit");
+            sketch.marker(*marker, place, 9.0, ink(meaning), limit.status == LimitStatus::Limit);
         }
     }
     finish(sketch, &panel, scene, "radians a step");

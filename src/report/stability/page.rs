@@ -101,7 +101,7 @@ fn long_runs(runs: &[LongRun]) -> String {
             &run.steps.to_string(),
             &last,
             &three(run.growth_power),
-            &run.class,
+            run.class.word(),
             &run.final_axis,
             run.why.as_deref().unwrap_or(""),
         ])

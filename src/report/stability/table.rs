@@ -4,13 +4,16 @@ use comfy_table::{ContentArrangement, Table, TableComponent, presets};
 
 use super::super::number;
 use super::super::survey;
-use crate::record::stability::{Limit, Stability};
+use crate::record::stability::{Limit, LimitStatus, Meaning, Stability};
 
 /// Columns that the table is fit to.
 const WIDTH: u16 = 150;
 /// The meanings of usable, in the order of the table.
-pub(super) const MEANINGS: [(&str, &str); 3] =
-    [("bounded", "stays bounded"), ("energy", "energy within 1 %"), ("orientation", "within 0.1 rad")];
+pub(super) const MEANINGS: [(Meaning, &str); 3] = [
+    (Meaning::Bounded, "stays bounded"),
+    (Meaning::Energy, "energy within 1 %"),
+    (Meaning::Orientation, "within 0.1 rad"),
+];
 
 /// The largest usable steps as text: step, radians a step and h·ω for each meaning, then how the scheme fails first.
 pub fn table(study: &Stability) -> String {
@@ -40,22 +43,27 @@ fn cells(study: &Stability) -> Vec<(&str, &str)> {
     scenes.into_iter().flat_map(|scene| schemes.iter().map(move |scheme| (scene, *scheme))).collect()
 }
 
-pub(super) fn find<'a>(study: &'a Stability, scene: &str, scheme: &str, meaning: &str) -> Option<&'a Limit> {
+pub(super) fn find<'a>(
+    study: &'a Stability,
+    scene: &str,
+    scheme: &str,
+    meaning: Meaning,
+) -> Option<&'a Limit> {
     study.limits.iter().find(|row| row.scene == scene && row.scheme == scheme && row.meaning == meaning)
 }
 
 /// A limit in print.
 pub(super) fn words(row: &Limit) -> String {
-    let sign = match row.status.as_str() {
-        "unlimited" => "≥ ",
-        "none" => {
+    let sign = match row.status {
+        LimitStatus::Unlimited => "≥ ",
+        LimitStatus::None => {
             return format!(
                 "< {}",
                 row.fails_at_s.map_or(String::new(), |step| number::significant(step, 3))
             );
         }
-        "not-applicable" => return "n/a".to_owned(),
-        "broken" => return "no reference".to_owned(),
+        LimitStatus::NotApplicable => return "n/a".to_owned(),
+        LimitStatus::Broken => return "no reference".to_owned(),
         _ if row.ragged => "~ ",
         _ => "",
     };
@@ -65,7 +73,7 @@ pub(super) fn words(row: &Limit) -> String {
 
 /// How the scheme fails above its limits, the loosest first; the reason where it cannot take the scene.
 pub(super) fn fails_by(rows: &[Option<&Limit>; 3]) -> String {
-    let refused = rows.iter().flatten().find(|row| row.status == "not-applicable" || row.status == "broken");
+    let refused = rows.iter().flatten().find(|row| !row.step_or_none());
     if let Some(row) = refused {
         return row.detail.clone().unwrap_or_default();
     }

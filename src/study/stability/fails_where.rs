@@ -1,12 +1,10 @@
 //! One line a scheme: where it fails, made from the records alone.
 
-use crate::record::stability::{Limit, LinearLimit};
+use crate::record::stability::{Limit, LimitStatus, LinearLimit, Meaning};
 
 /// Scenes that the line speaks of: a free body, one that tumbles, and one held at a point under gravity.
 pub const SCENES: [&str; 3] = ["free-asymmetric", "dzhanibekov", "heavy-asymmetric-top"];
 
-/// The meanings of usable.
-const MEANINGS: [&str; 3] = ["bounded", "energy", "orientation"];
 /// How the line calls the scenes.
 const CALLED: [&str; 3] = ["free body", "tumbling body", "heavy top"];
 
@@ -14,10 +12,10 @@ const CALLED: [&str; 3] = ["free body", "tumbling body", "heavy top"];
 pub fn line(scheme: &str, limits: &[Limit], linear: &[LinearLimit]) -> Option<String> {
     let spring = linear.iter().find(|row| row.scheme == scheme).map(spring);
     let scenes = SCENES.iter().zip(CALLED).filter_map(|(scene, called)| {
-        let of = |meaning: &&str| {
+        let of = |meaning: &Meaning| {
             limits.iter().find(|row| row.scheme == scheme && row.scene == *scene && row.meaning == *meaning)
         };
-        let rows: Vec<&Limit> = MEANINGS.iter().filter_map(of).filter(|row| row.step_or_none()).collect();
+        let rows: Vec<&Limit> = Meaning::ALL.iter().filter_map(of).filter(|row| row.step_or_none()).collect();
         (!rows.is_empty()).then(|| format!("{called}: {}", edges(&rows)))
     });
     let parts: Vec<String> = spring.into_iter().chain(scenes).collect();
@@ -40,12 +38,14 @@ fn spring(row: &LinearLimit) -> String {
 /// The steps from which on a motion is unbounded, its energy 1 % off and its orientation 0.1 rad, and how it fails at the smallest of
 /// them.
 fn edges(rows: &[&Limit]) -> String {
-    if rows.iter().all(|row| row.status == "unlimited") {
+    if rows.iter().all(|row| row.status == LimitStatus::Unlimited) {
         return "at no step tried".to_owned();
     }
-    let edge = |row: &&Limit| match (row.status.as_str(), row.radians_per_step) {
-        ("limit", Some(radians)) => Some(format!("{} above {}", what(&row.meaning), digits(radians))),
-        ("none", _) => Some(format!("{} at every step", what(&row.meaning))),
+    let edge = |row: &&Limit| match (row.status, row.radians_per_step) {
+        (LimitStatus::Limit, Some(radians)) => {
+            Some(format!("{} above {}", what(row.meaning), digits(radians)))
+        }
+        (LimitStatus::None, _) => Some(format!("{} at every step", what(row.meaning))),
         _ => None,
     };
     let words: Vec<String> = rows.iter().filter_map(edge).collect();
@@ -56,11 +56,11 @@ fn edges(rows: &[&Limit]) -> String {
     format!("{}{unit} ({how})", words.join(", "))
 }
 
-fn what(meaning: &str) -> &'static str {
+fn what(meaning: Meaning) -> &'static str {
     match meaning {
-        "bounded" => "unbounded",
-        "energy" => "energy 1 % off",
-        _ => "0.1 rad off",
+        Meaning::Bounded => "unbounded",
+        Meaning::Energy => "energy 1 % off",
+        Meaning::Orientation => "0.1 rad off",
     }
 }
 

@@ -7,7 +7,7 @@ use super::theory;
 use super::truth::settled_axis;
 use crate::measure::regression::fit_power;
 use crate::model::{Snapshot, System};
-use crate::record::stability::{EnergyRate, LongRun};
+use crate::record::stability::{EnergyRate, LongRun, LongRunClass};
 use crate::rotation;
 use crate::scenes::Scene;
 use crate::simulate::{Contestant, Form, Plan};
@@ -56,7 +56,7 @@ pub fn long_run(scene: &str, contestant: &Contestant, steps: u64) -> Option<Long
         step_s: step,
         radians_per_step: TURN,
         steps: outcome.steps,
-        class: class(&samples, power, outcome.broken.is_some()).to_owned(),
+        class: class(&samples, power, outcome.broken.is_some()),
         growth_power: power,
         final_axis: final_axis(system, &last),
         at_step: samples.at_step,
@@ -106,21 +106,21 @@ fn growth_power(samples: &Samples) -> Option<f64> {
     (points.len() > 8).then(|| fit_power(&points)).flatten().map(|fit| fit.slope)
 }
 
-fn class(samples: &Samples, power: Option<f64>, broken: bool) -> &'static str {
+fn class(samples: &Samples, power: Option<f64>, broken: bool) -> LongRunClass {
     let largest = samples.change.iter().map(|change| change.abs()).fold(0.0, f64::max);
     let steps = samples.at_step.last().copied().unwrap_or(0) as f64;
     match power {
-        _ if broken => "broken",
-        _ if largest > SATURATED => "saturated",
-        Some(power) if power < 0.2 => "bounded",
+        _ if broken => LongRunClass::Broken,
+        _ if largest > SATURATED => LongRunClass::Saturated,
+        Some(power) if power < 0.2 => LongRunClass::Bounded,
         Some(power) if largest <= ROUNDING_A_STEP * steps.max(64.0) => {
             if power < 0.75 {
-                "rounding-like-root"
+                LongRunClass::RoundingLikeRoot
             } else {
-                "rounding-like-n"
+                LongRunClass::RoundingLikeN
             }
         }
-        _ => "secular",
+        _ => LongRunClass::Secular,
     }
 }
 

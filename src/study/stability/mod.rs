@@ -36,6 +36,7 @@ use crate::record::stability::{FailsWhere, Limit, LinearLimit, SCHEMA, Stability
 use crate::scenes::Scene;
 use crate::simulate::Contestant;
 
+pub use crate::record::stability::Meaning;
 pub use bench::{Bench, Growth, NO_GROWTH};
 pub use fails_where::{SCENES as LINE_SCENES, line};
 pub use failure::{Axis, Failure};
@@ -43,7 +44,7 @@ pub use kink::kink_orders;
 pub use long_run::{energy_law, long_run};
 pub use maps::{NAMES as MAP_NAMES, map};
 pub use search::limits;
-pub use trial::{BOUNDED, ENERGY_KEPT, Meaning, ORIENTATION_KEPT, Trial, attempt};
+pub use trial::{BOUNDED, ENERGY_KEPT, ORIENTATION_KEPT, Trial, attempt};
 pub use truth::Truth;
 
 /// Scenes with the spring-held body, the damped one first: a scheme that takes no damper is measured without it.

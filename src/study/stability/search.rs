@@ -7,9 +7,9 @@
 use std::collections::BTreeMap;
 
 use super::failure::Failure;
-use super::trial::{Meaning, Trial, attempt};
+use super::trial::{Trial, attempt};
 use super::truth::Truth;
-use crate::record::stability::Limit;
+use crate::record::stability::{Limit, LimitStatus, Meaning};
 use crate::simulate::Contestant;
 
 /// Radians that the coarsest step turns the body, or an oscillation its phase, at most.
@@ -132,9 +132,11 @@ fn row(scene: &str, runs: &mut Runs, meaning: Meaning, edge: Edge) -> Limit {
     let truth = runs.truth;
     let of = |steps: u64| truth.duration / steps as f64;
     let (status, step, fails_at, ragged) = match edge {
-        Edge::Between { usable, failing, ragged } => ("limit", Some(of(usable)), Some(failing), ragged),
-        Edge::Unlimited(steps) => ("unlimited", Some(of(steps)), None, false),
-        Edge::Nowhere(steps) => ("none", None, Some(steps), false),
+        Edge::Between { usable, failing, ragged } => {
+            (LimitStatus::Limit, Some(of(usable)), Some(failing), ragged)
+        }
+        Edge::Unlimited(steps) => (LimitStatus::Unlimited, Some(of(steps)), None, false),
+        Edge::Nowhere(steps) => (LimitStatus::None, None, Some(steps), false),
     };
     let failure: Option<Failure> = fails_at.and_then(|steps| runs.at(steps).failure.clone());
     let detail = match (&failure, step) {
@@ -145,8 +147,8 @@ fn row(scene: &str, runs: &mut Runs, meaning: Meaning, edge: Edge) -> Limit {
     Limit {
         scene: scene.to_owned(),
         scheme: runs.contestant.card.name.to_owned(),
-        meaning: meaning.word().to_owned(),
-        status: status.to_owned(),
+        meaning,
+        status,
         step_s: step,
         fails_at_s: fails_at.map(of),
         radians_per_step: step.map(|step| step * truth.fastest),
@@ -164,8 +166,8 @@ fn refused(scene: &str, contestant: &Contestant, meaning: Meaning, reason: &str)
     Limit {
         scene: scene.to_owned(),
         scheme: contestant.card.name.to_owned(),
-        meaning: meaning.word().to_owned(),
-        status: "not-applicable".to_owned(),
+        meaning,
+        status: LimitStatus::NotApplicable,
         detail: Some(reason.to_owned()),
         ..Limit::default()
     }
@@ -174,7 +176,7 @@ fn refused(scene: &str, contestant: &Contestant, meaning: Meaning, reason: &str)
 /// The rows of a scene without a truth.
 pub fn without_truth(scene: &str, contestant: &Contestant, reason: &str) -> Vec<Limit> {
     let row = |meaning: Meaning| Limit {
-        status: "broken".to_owned(),
+        status: LimitStatus::Broken,
         ..refused(scene, contestant, meaning, reason)
     };
     Meaning::ALL.map(row).to_vec()

@@ -7,6 +7,7 @@ use super::truth::{self, Truth};
 use crate::measure::FlipFinder;
 use crate::model::Snapshot;
 use crate::model::body::Shape;
+use crate::record::stability::Meaning;
 use crate::rotation;
 use crate::simulate::{Contestant, Form, Outcome, Plan};
 
@@ -24,31 +25,6 @@ const FEWEST_STEPS: u64 = 400;
 const SAMPLES: u64 = 128;
 /// Part of the time between flips by which a flip may be off.
 const FLIP_OFF: f64 = 0.25;
-
-/// What usable means.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Meaning {
-    /// The energy stays below ten times its scale and nothing breaks.
-    Bounded,
-    /// The energy is within 1 % of its scale of the truth.
-    Energy,
-    /// The orientation is within 0.1 rad of the truth.
-    Orientation,
-}
-
-impl Meaning {
-    /// All, in the order of the table.
-    pub const ALL: [Meaning; 3] = [Meaning::Bounded, Meaning::Energy, Meaning::Orientation];
-
-    /// The word in records.
-    pub fn word(self) -> &'static str {
-        match self {
-            Meaning::Bounded => "bounded",
-            Meaning::Energy => "energy",
-            Meaning::Orientation => "orientation",
-        }
-    }
-}
 
 /// What came of a run.
 #[derive(Clone, Debug, PartialEq)]

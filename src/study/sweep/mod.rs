@@ -11,6 +11,7 @@ use rayon::prelude::*;
 
 use crate::interrupt;
 use crate::model::{Quantity, Snapshot, System, difference};
+use crate::record::RunStatus;
 use crate::reference::Reference;
 use crate::scenes::Scene;
 use crate::simulate::{Contestant, Outcome, Plan};
@@ -51,9 +52,9 @@ pub struct Row {
     pub step: f64,
     /// Steps taken.
     pub steps: u64,
-    /// `ok`, `broken` or `not-applicable`.
-    pub status: &'static str,
-    /// Why, where it is not `ok`.
+    /// What came of the run.
+    pub status: RunStatus,
+    /// Why, where it is not whole.
     pub why: Option<String>,
     /// Error of the quantity at the end, in its unit.
     pub error: Option<f64>,
@@ -222,7 +223,7 @@ impl Sweep {
             values: place.values.clone(),
             step: plan.step,
             steps: outcome.steps,
-            status: if whole { "ok" } else { "broken" },
+            status: if whole { RunStatus::Ok } else { RunStatus::Broken },
             why: outcome.broken.as_ref().map(ToString::to_string),
             error: error.filter(|error| error.is_finite()),
             energy: if whole { energy_change(system, kept) } else { None },
@@ -238,7 +239,7 @@ impl Row {
             values: place.values.clone(),
             step: place.scene.as_ref().map_or(0.0, |(_, plan)| plan.step),
             steps: 0,
-            status: "not-applicable",
+            status: RunStatus::NotApplicable,
             why: Some(why.to_owned()),
             error: None,
             energy: None,
