@@ -25,8 +25,11 @@ pub(super) fn judge(case: &Case, by_rule: &ByRule) -> Vec<Verdict> {
         .collect();
     if by_rule.fails() {
         let words = by_rule.cause.map(Cause::words);
-        let detail = words
-            .map_or("no hypothesis explains the run; a program that chooses its own steps ends at its own tolerance".to_owned(), |words| format!("likeliest cause: {words}"));
+        let detail = words.map_or(
+            "no hypothesis explains the run; a program that chooses its own steps ends at its own tolerance"
+                .to_owned(),
+            |words| format!("likeliest cause: {words}"),
+        );
         verdicts.push(ruled(case, ClaimName::Converges, "cause", Ruling::NotApplicable, detail));
     }
     if case.card.order() == 0 && case.not_for_order.is_none() {
