@@ -138,4 +138,4 @@
 //! ```
 //!
 //! With the feature `cli`, which is on by default, `polhode::write_report(&records, "reports/mine")` draws the records: one HTML page,
-//! the same in Markdown, pictures, and the records beside them. `examples/my_scheme.rs` does so for a scheme of its own.
+//! the same in Markdown, pictures, and the records beside them. `examples/my_scheme.rs` does so for a user's scheme.

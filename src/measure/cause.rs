@@ -1,6 +1,6 @@
 //! The likeliest cause of a run that converges to another motion than the truth.
 //!
-//! A hypothesis is a motion: the truth, told in another way, or the solution of equations with one thing changed. The one that explains
+//! A hypothesis is a motion: the truth, reported in another way, or the solution of equations with one thing changed. The one that explains
 //! the finest run, to what separates it from the run before, is named; none is named otherwise.
 
 use nalgebra::{Matrix3, Quaternion, Vector3};
@@ -24,9 +24,9 @@ const DEGREE: f64 = std::f64::consts::PI / 180.0;
 /// What a program may have done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cause {
-    /// Ω is told in body axes.
+    /// Ω is in body axes.
     SpinInBodyAxes,
-    /// Ω is told in degrees a second.
+    /// Ω is in degrees a second.
     SpinInDegrees,
     /// Orientations take world axes to body axes.
     Conjugated,
@@ -34,7 +34,7 @@ pub enum Cause {
     LastConjugated,
     /// Quaternions have the scalar last.
     ScalarLast,
-    /// States are told a sample late.
+    /// States are one sample late.
     Late,
     /// The equations have no gyroscopic term.
     NoGyroscopicTerm,
@@ -57,7 +57,7 @@ pub enum Cause {
 }
 
 impl Cause {
-    /// All of them, those that change what is told first.
+    /// All of them, those that change the output first.
     pub const ALL: [Cause; 15] = [
         Cause::SpinInBodyAxes,
         Cause::SpinInDegrees,

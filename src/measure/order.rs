@@ -20,7 +20,7 @@
 pub const BELOW: f64 = 0.1;
 /// Falls of r over the last two halvings, at least: half of what h does, on a logarithmic scale, and less for the earlier one.
 const FALLS: [f64; 2] = [1.3, 1.2];
-/// Error over its rounding from which on it counts. Three copies show the size of a rounding to a factor of three or so, and r must
+/// An error counts where it is more than so many times its rounding. Three copies show the size of a rounding to a factor of three or so, and r must
 /// resolve a tenth.
 pub const CLEAR: f64 = 30.0;
 /// Highest order that is asked for.
@@ -48,7 +48,7 @@ pub struct Asked<'a> {
     pub times: &'a [f64],
     /// Size of the quantity over the motion, in its unit.
     pub scale: f64,
-    /// What no digit of the run tells, relative: half a unit in the last place that it is told in.
+    /// Half a unit in the last digit that the run prints, relative.
     pub unit: f64,
     /// Uncertainty of the truth, in the unit of the quantity.
     pub uncertainty: f64,

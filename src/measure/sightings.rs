@@ -21,7 +21,7 @@ use crate::simulate::{Contestant, Form, Plan, Program, Trajectory};
 const COPIES: usize = 3;
 /// Units in the last place that a copy's start is off by.
 const OFF: f64 = 4.0;
-/// Digits from which on nothing of a double is lost.
+/// So many digits hold every double.
 const ALL_DIGITS: usize = 16;
 
 /// What the rule of orders says of a program under test.

@@ -45,7 +45,7 @@ words! {
         Secular = "secular",
         /// Faster than steadily, or without bound.
         Growing = "growing",
-        /// None of these can be told.
+        /// None of these can be distinguished.
         #[default]
         Undecided = "undecided",
     }

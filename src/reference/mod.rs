@@ -3,7 +3,7 @@
 //!
 //! | source | what it is | good to |
 //! |---|---|---|
-//! | `precise` | Taylor series of our own in double-double arithmetic, from touch to touch on the ground | 1e-24 and better, told |
+//! | `precise` | Taylor series of our own in double-double arithmetic, from touch to touch on the ground | 1e-24 and better, with its bound |
 //! | `closed` | closed forms, where the system has one: free and falling bodies, Lagrange's top, a point on springs | a few roundings times 1 + \|Ω\| t |
 //! | `dop853` | differential-equations, order 8 | 1e-14 |
 //! | `tsit45` | diffsol, order 5 | 1e-13 |

@@ -158,7 +158,7 @@ pub(super) fn kept(records: &Records) -> Records {
     Records { verdicts: Vec::new(), drifts: Vec::new(), orders, ..brief }
 }
 
-/// The section as a page of its own.
+/// The section as a separate page.
 #[derive(Serialize)]
 struct Page {
     version: String,
@@ -168,7 +168,7 @@ struct Page {
     engines: Option<Section>,
 }
 
-/// Writes the section as a page of its own, in Markdown, its pictures beside it.
+/// Writes the section as a separate page, in Markdown, its pictures beside it.
 pub(super) fn page(
     records: &Records,
     figures: &[Figure],

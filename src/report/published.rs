@@ -167,7 +167,7 @@ struct Page {
     published: Option<Section>,
 }
 
-/// Writes the section as a page of its own, in Markdown: `references/PUBLISHED.md`.
+/// Writes the section as a separate page, in Markdown: `references/PUBLISHED.md`.
 ///
 /// # Errors
 /// The page cannot be composed or written.

@@ -11,7 +11,7 @@ use polhode::simulate::{Contestant, Form};
 
 use crate::common::{contestant, scene};
 
-/// A scheme of the list as a program of its own, which claims an order and tells its states in its own way.
+/// A scheme of the list as a program under test, which claims an order and reports its states in a given way.
 fn program(scheme: &str, order: Option<u32>, tell: fn(&Snapshot) -> Snapshot) -> Contestant {
     let inner = contestant(scheme);
     let claims: Vec<Claim> = order.into_iter().map(Claim::Order).collect();
@@ -22,7 +22,7 @@ fn program(scheme: &str, order: Option<u32>, tell: fn(&Snapshot) -> Snapshot) ->
         move |system, plan, store| {
             inner.stream(system, Form::Least, plan, &mut |s| {
                 let told = tell(s);
-                // The harness makes L of the angular velocity that it is told.
+                // The harness computes L from the reported angular velocity.
                 let spin = told.orientation.inverse_transform_vector(&told.angular_velocity);
                 let angular_momentum = told.orientation * (system.body.inertia * spin);
                 store(&Snapshot { angular_momentum, ..told });

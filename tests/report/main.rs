@@ -1,4 +1,4 @@
-//! The report: what it must hold whatever was measured, what build servers are told, and that the published
+//! The report: what it must hold whatever was measured, the output for build servers, and that the published
 //! one is up to date.
 
 #[path = "../common/mod.rs"]

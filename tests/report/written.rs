@@ -1,5 +1,4 @@
 //! The report, made from records that no campaign wrote: what it must hold whatever was measured.
-#![allow(clippy::unwrap_used, reason = "a test that cannot read its own files has failed")]
 
 use std::fs;
 use std::path::Path;
@@ -15,8 +14,8 @@ use polhode::record::{
 
 /// Writes the report into a fresh folder.
 fn written(records: &Records) -> tempfile::TempDir {
-    let folder = tempfile::tempdir().unwrap();
-    report::write(records, folder.path(), &|_, _| ()).unwrap();
+    let folder = tempfile::tempdir().expect("a file of the test itself");
+    report::write(records, folder.path(), &|_, _| ()).expect("a file of the test itself");
     folder
 }
 
@@ -25,12 +24,18 @@ fn two_reports_of_the_same_records_are_the_same_to_the_byte() {
     let records = few(&[1, 3, 4]);
     let (first, second) = (written(&records), written(&records));
     for path in plots(first.path()) {
-        let twin = second.path().join("plots").join(path.file_name().unwrap());
-        assert!(fs::read(&path).unwrap() == fs::read(twin).unwrap(), "{}", path.display());
+        let twin = second.path().join("plots").join(path.file_name().expect("a file of the test itself"));
+        assert!(
+            fs::read(&path).expect("a file of the test itself")
+                == fs::read(twin).expect("a file of the test itself"),
+            "{}",
+            path.display()
+        );
     }
     for name in ["index.html", "report.md", "records.json", "records.csv"] {
         assert!(
-            fs::read(first.path().join(name)).unwrap() == fs::read(second.path().join(name)).unwrap(),
+            fs::read(first.path().join(name)).expect("a file of the test itself")
+                == fs::read(second.path().join(name)).expect("a file of the test itself"),
             "{name}"
         );
     }
@@ -39,7 +44,7 @@ fn two_reports_of_the_same_records_are_the_same_to_the_byte() {
 #[test]
 fn the_page_needs_nothing_but_itself_and_escapes_what_it_prints() {
     let folder = written(&few(&[4, 9]));
-    let page = fs::read_to_string(folder.path().join("index.html")).unwrap();
+    let page = fs::read_to_string(folder.path().join("index.html")).expect("a file of the test itself");
     for foreign in ["src=", "url(", "@import", "<link", "<script", "href=\"http"] {
         assert!(!page.contains(foreign), "{foreign}");
     }
@@ -57,7 +62,7 @@ fn the_page_needs_nothing_but_itself_and_escapes_what_it_prints() {
 #[test]
 fn markdown_tables_keep_their_columns_whatever_the_text_holds() {
     let folder = written(&few(&[5, 9]));
-    let text = fs::read_to_string(folder.path().join("report.md")).unwrap();
+    let text = fs::read_to_string(folder.path().join("report.md")).expect("a file of the test itself");
     let mut columns = None;
     for line in text.lines() {
         let bars = line.replace("\\|", "").matches('|').count();
@@ -75,9 +80,13 @@ fn markdown_tables_keep_their_columns_whatever_the_text_holds() {
 fn records_with_nothing_in_them_make_a_report() {
     let records = Records { schema: SCHEMA.into(), ..Records::default() };
     let folder = written(&records);
-    let page = fs::read_to_string(folder.path().join("index.html")).unwrap();
+    let page = fs::read_to_string(folder.path().join("index.html")).expect("a file of the test itself");
     assert!(page.contains("The run was interrupted"));
-    assert!(fs::read_to_string(folder.path().join("report.md")).unwrap().contains("The run was interrupted"));
+    assert!(
+        fs::read_to_string(folder.path().join("report.md"))
+            .expect("a file of the test itself")
+            .contains("The run was interrupted")
+    );
     assert!(report::junit(&records).contains("<testsuites"));
     assert_eq!(report::annotations(&records), "");
     assert!(report::verdict_table(&records, true).contains("0 verdicts: no verdicts · interrupted"));
@@ -117,10 +126,10 @@ fn rows_that_name_no_known_scene_or_hold_no_number_make_a_report() {
 #[test]
 fn pictures_that_an_earlier_report_left_are_removed() {
     let folder = written(&few(&[1, 2]));
-    report::write(&few(&[2]), folder.path(), &|_, _| ()).unwrap();
+    report::write(&few(&[2]), folder.path(), &|_, _| ()).expect("a file of the test itself");
     let names: Vec<String> = plots(folder.path())
         .iter()
-        .map(|path| path.file_name().unwrap().to_string_lossy().into_owned())
+        .map(|path| path.file_name().expect("a file of the test itself").to_string_lossy().into_owned())
         .collect();
     assert_eq!(
         names,
@@ -162,12 +171,16 @@ fn costs_stand_in_a_table_with_their_noise_and_gaps_are_said() {
         CostRow { scene: "free 50".into(), ..cost("peskin-rk2", "free", 51.0, true) },
     ];
     let folder = written(&records);
-    let text = fs::read_to_string(folder.path().join("report.md")).unwrap();
+    let text = fs::read_to_string(folder.path().join("report.md")).expect("a file of the test itself");
     assert!(text.contains("| peskin-rk2 | 50.0 (2) | 100 to 180 (2) |"), "{text}");
     assert!(text.contains("| euler | 30.0 (2) | – |"));
     assert!(text.contains("timed twice: the two differ by 2.0 %") && text.contains("at least 0.25 s"));
     let without = written(&few(&[1]));
-    assert!(!fs::read_to_string(without.path().join("report.md")).unwrap().contains("## Cost"));
+    assert!(
+        !fs::read_to_string(without.path().join("report.md"))
+            .expect("a file of the test itself")
+            .contains("## Cost")
+    );
 }
 
 #[test]
@@ -188,7 +201,7 @@ fn the_overview_of_cost_needs_two_families_and_scaling_its_rows() {
     records.scaling = vec![row(1, 50.0), row(1000, 5e4)];
     let folder = written(&records);
     assert!(pictures.iter().all(|name| is_drawn(folder.path(), name)));
-    let page = fs::read_to_string(folder.path().join("index.html")).unwrap();
+    let page = fs::read_to_string(folder.path().join("index.html")).expect("a file of the test itself");
     assert!(page.contains("error below [rad]") && page.contains("mass points K"));
 }
 
@@ -208,15 +221,15 @@ fn schemes_that_stand_apart_have_pictures_that_the_page_names_and_does_not_hold(
     let folder = written(&records);
     let name = "scene-01-work-precision-of-all-rotation.png";
     assert!(is_drawn(folder.path(), name) && !is_drawn(main.path(), name));
-    let page = fs::read_to_string(folder.path().join("index.html")).unwrap();
+    let page = fs::read_to_string(folder.path().join("index.html")).expect("a file of the test itself");
     assert!(page.contains(&format!("href=\"plots/{name}\"")) && !page.contains("every scheme, by family"));
 }
 
 #[test]
 fn a_folder_that_cannot_be_made_is_an_error_with_its_name() {
-    let folder = tempfile::tempdir().unwrap();
+    let folder = tempfile::tempdir().expect("a file of the test itself");
     let file = folder.path().join("file");
-    fs::write(&file, "").unwrap();
+    fs::write(&file, "").expect("a file of the test itself");
     let error = report::write(&few(&[1]), &file.join("out"), &|_, _| ()).unwrap_err();
     assert!(matches!(error, report::ReportError::File(_)), "{error}");
     assert!(error.to_string().contains("file"), "{error}");

@@ -1,4 +1,4 @@
-//! `polhode engine compare`: foreign programs beside one another and beside our schemes, as a page of its own.
+//! `polhode engine compare`: foreign programs beside one another and beside our schemes, as a separate page.
 
 use std::path::PathBuf;
 
