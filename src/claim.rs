@@ -3,11 +3,14 @@
 
 use std::fmt;
 
-pub use crate::model::Quantity;
-use crate::record::ClaimName;
+use serde::{Deserialize, Serialize};
+
+pub use crate::quantity::Quantity;
+use crate::words::words;
 
 /// Scenes that a promise of exactness is made for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum When {
     /// No force and no torque: U_cm is constant and X_cm moves straight.
     NoForce,
@@ -34,7 +37,8 @@ impl fmt::Display for When {
 }
 
 /// How the rotational energy of a free body changes over a long run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum EnergyOfFreeBody {
     /// Grows at a rate of this order in the step, towards L²/(2 I_min) and never past it.
     GrowsSecularly {
@@ -55,13 +59,15 @@ pub enum EnergyOfFreeBody {
 }
 
 /// A promise.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Claim {
-    /// Error of every quantity is C hᵖ for small h, at the end and as the maximum over the run, with the C that
-    /// is on record.
+    /// The error of every quantity falls at least as hᵖ, and in a generic scene exactly so, with the constant that is on record.
     Order(u32),
     /// Without torque the order is this one instead.
     OrderWithoutTorque(u32),
+    /// The runs converge, to another motion than that of the scene.
+    SolvesAnotherMotion,
     /// The scheme chooses its own steps for a tolerance, which the step h of a plan stands for as hⁿ, and its error follows it.
     FollowsTolerance(u32),
     /// A quantity is exact but for rounding.
@@ -86,12 +92,62 @@ pub enum Claim {
     Solves(u32),
 }
 
+words! {
+    /// What a verdict is about: a claim of a card, or what every scheme and every reference is held to.
+    ClaimName {
+        /// The order of the error of each quantity.
+        #[default]
+        Order = "order",
+        /// The same without torque.
+        OrderWithoutTorque = "order-without-torque",
+        /// The error of a solver that chooses its own steps.
+        FollowsTolerance = "follows-tolerance",
+        /// A quantity that is exact.
+        Exact = "exact",
+        /// The energy of a free body.
+        Energy = "energy",
+        /// L·g of a body on a pivot.
+        VerticalMomentum = "vertical-momentum",
+        /// The times of the flips of a tumbling body.
+        FlipTimes = "flip-times",
+        /// Distances between points of the body.
+        Rigid = "rigid",
+        /// The way there and back.
+        Reversible = "reversible",
+        /// The two-form of a step.
+        Symplectic = "symplectic",
+        /// The same motion in other worlds.
+        Equivariant = "equivariant",
+        /// Evaluations of the forces a step.
+        Evaluations = "evaluations",
+        /// Implicit equations a step.
+        Solves = "solves",
+        /// The error constant on record.
+        Constant = "constant",
+        /// Runs that converge to the truth, in every scene.
+        Converges = "converges",
+        /// The first state of a run.
+        Start = "start",
+        /// The least model beside the mass points.
+        Reduction = "reduction",
+        /// The limit of stability on record.
+        Stability = "stability",
+        /// That runs of a scheme without an order come to their end.
+        Run = "run",
+        /// The sources of a reference.
+        ReferencesAgree = "references-agree",
+        /// The conventions of a trajectory file.
+        Frames = "frames",
+    }
+}
+
 impl Claim {
     /// Name of the claim in verdicts.
     pub fn name(self) -> ClaimName {
         match self {
             Claim::Order(_) => ClaimName::Order,
             Claim::OrderWithoutTorque(_) => ClaimName::OrderWithoutTorque,
+            Claim::SolvesAnotherMotion => ClaimName::Converges,
             Claim::FollowsTolerance(_) => ClaimName::FollowsTolerance,
             Claim::Exact(..) => ClaimName::Exact,
             Claim::Energy(_) => ClaimName::Energy,
@@ -112,6 +168,7 @@ impl fmt::Display for Claim {
         match self {
             Claim::Order(order) => write!(f, "order {order} in every quantity, constants as recorded"),
             Claim::OrderWithoutTorque(order) => write!(f, "order {order} without torque"),
+            Claim::SolvesAnotherMotion => write!(f, "converges to another motion than that of the scene"),
             Claim::Exact(quantity, when) => write!(f, "{} exact {when}", quantity.name()),
             Claim::Energy(energy) => write!(f, "energy of a free body {energy}"),
             Claim::FollowsTolerance(power) => {

@@ -118,7 +118,7 @@
 //! let records = Campaign::of(scenes, contestants).run(); // or Records::read(Path::new("records.json"))?
 //!
 //! // The measured order of one quantity, with its 95 % interval.
-//! for row in records.orders.iter().filter(|row| row.quantity == "orientation-end") {
+//! for row in records.orders.iter().filter(|row| row.quantity == "orientation") {
 //!     if let (Some(order), Some(low), Some(high)) = (row.order, row.low, row.high) {
 //!         println!("{} in {}: {order:.3} [{low:.3}, {high:.3}]", row.scheme, row.scene);
 //!     }

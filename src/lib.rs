@@ -21,12 +21,14 @@
 )]
 
 mod interrupt;
+mod words;
+mod quantity;
+mod claim;
 mod arithmetic;
 mod rotation;
 pub mod record;
 pub mod model;
 mod ode;
-mod claim;
 pub mod schemes;
 pub mod reference;
 pub mod scenes;
@@ -71,28 +73,23 @@ pub mod internals {
     rooms!(arithmetic, engine, log, ode, report, rotation, self_test, study);
 
     pub mod gates {
-        pub use crate::gates::case::Case;
-        pub use crate::gates::control::{Control, ask_for_control};
-        pub use crate::gates::judge::{judge, refuse};
-        pub use crate::gates::order::rule;
+        pub use crate::gates::baseline::{Constants, OfScene};
         pub use crate::gates::reference::judge_reference;
         pub use crate::gates::*;
     }
 
     pub mod measure {
-        pub use crate::measure::cause::*;
         pub use crate::measure::climb::*;
+        pub use crate::measure::copies::*;
         pub use crate::measure::drift::*;
         pub use crate::measure::flips::*;
         pub use crate::measure::invariance::*;
         pub use crate::measure::ladder::*;
+        pub use crate::measure::order::*;
         pub use crate::measure::points::*;
         pub use crate::measure::reversal::*;
         pub use crate::measure::symplecticity::*;
         pub use crate::measure::*;
-        pub mod regression {
-            pub use crate::measure::regression::*;
-        }
     }
 
     pub mod model {

@@ -1,136 +1,168 @@
 //! One scheme in one scene: everything that is measured, then judged, as rows.
 
-use super::{Controls, rows};
+use std::sync::Arc;
+
+use super::rows;
 use crate::claim::Claim;
-use crate::gates::{self, Baseline, Case};
-use crate::measure::{self, EnergyDrift, Evidence};
+use crate::gates::{self, Baseline};
+use crate::measure::{self, Climbed, Decision, Rung};
+use crate::model::body::Shape;
+use crate::model::{Quantity, Snapshot};
 use crate::record::stability::LinearLimit;
-#[cfg(feature = "cli")]
-use crate::record::stability::Stability;
-use crate::record::{Drift, Measurement, Order, Series, Verdict};
+use crate::record::{Drift, Evidence, Measurement, Order, Series, Setting, Verdict};
 use crate::reference::Reference;
 use crate::rotation;
 use crate::scenes::Scene;
 use crate::simulate::{Contestant, Form, Plan};
+use crate::study::cause;
 #[cfg(feature = "cli")]
 use crate::study::stability::{self, Bench};
 
+/// Scenes of three moments, products of inertia and a spin off every axis, without torque and with it: an order is exactly the claimed one here.
+const GENERIC: [&str; 3] = ["free-asymmetric", "heavy-asymmetric-top", "tether-springs"];
 /// States of a series.
-const SERIES_SAMPLES: u64 = 512;
-/// Rung of the ladder, from the coarsest, whose run is drawn against time.
-const SERIES_RUNG: usize = 2;
+const SERIES_SAMPLES: u64 = 128;
+/// Steps of the run of the ladder that is drawn against time, at least.
+const SERIES_STEPS: u64 = 256;
 
 /// The rows of a cell.
 pub(super) struct Cell {
     pub(super) measurements: Vec<Measurement>,
     pub(super) orders: Vec<Order>,
     pub(super) drifts: Vec<Drift>,
+    pub(super) evidence: Arc<Evidence>,
     pub(super) verdicts: Vec<Verdict>,
     pub(super) series: Vec<Series>,
-    /// Difference from the point form.
-    pub(super) reduction: Option<f64>,
 }
 
-/// Measures and judges. `controls` tell what another order than the claimed one means.
+/// Measures and judges.
 pub(super) fn measure(
     scene: &Scene,
     reference: &Reference,
     contestant: &Contestant,
     baseline: &Baseline,
     series: bool,
-    controls: &Controls,
 ) -> Cell {
-    let system = &scene.system;
-    if let Some(reason) = contestant.refusal(system) {
+    if let Some(reason) = contestant.refusal(&scene.system) {
         return refused(scene, contestant, &reason);
     }
-    let fastest = fastest(reference);
-    let evidence = ladder(scene, reference, contestant);
-    if let Some(reason) = evidence.refusal() {
+    let climbed = climb(scene, reference, contestant);
+    if let Some(reason) = climbed.refusal() {
         return refused(scene, contestant, reason);
     }
-    let drift = measure::energy_drift(contestant, system, scene.duration);
-    let points = measure::point_run(contestant, system, scene.duration, fastest);
-    let asked = contestant.card.claims.contains(&Claim::FlipTimes);
-    let flips = asked
-        .then(|| measure::true_flips(system, reference, fastest))
-        .flatten()
-        .and_then(|truth| measure::flips(contestant, system, scene.duration, fastest, truth));
-    let claims = |claim: Claim| contestant.card.claims.contains(&claim);
-    let reversal =
-        claims(Claim::Reversible).then(|| measure::reversal(contestant, system, &evidence.rungs)).flatten();
-    let symplecticity = claims(Claim::Symplectic)
-        .then(|| measure::symplecticity(contestant, system, &evidence.rungs))
-        .flatten();
-    let other_worlds = if claims(Claim::Equivariant) {
-        measure::other_worlds(contestant, system, &evidence.rungs)
-    } else {
-        Vec::new()
-    };
-    let step_limit = step_limit(scene, contestant);
-    let case = Case {
-        not_for_order: scene.not_for_order.as_deref(),
-        drift: drift.as_ref(),
-        points: points.as_ref(),
-        flips: flips.as_ref(),
-        reversal: reversal.as_ref(),
-        symplecticity: symplecticity.as_ref(),
-        other_worlds: &other_worlds,
-        generic: super::controls::is_generic(scene),
-        step_limit: step_limit.as_ref().map(|(stored, measured)| (*stored, measured)),
-        ..Case::of(&scene.name, system, &contestant.card, &evidence, baseline)
-    };
-    let mut verdicts = gates::judge(&case);
-    if gates::ask_for_control(&verdicts) {
-        let control = controls.of(contestant, system.torque_free());
-        verdicts = gates::judge(&Case { control: Some(&control), ..case });
-    }
-    let names = rows::Names { scene: &scene.name, scheme: contestant.card.name, model: evidence.model };
-    let mut measurements = rows::measurements(&names, &evidence, contestant.has_own_clock());
-    measurements.extend(drift.iter().flat_map(|drift| rows::drift_rates(&names, drift)));
+    let evidence = evidence(scene, reference, contestant, &climbed);
+    let names = rows::Names { scene: &scene.name, scheme: contestant.card.name, model: climbed.model };
+    let mut measurements = rows::measurements(&names, &climbed.rungs, contestant.has_own_clock());
+    measurements.extend(evidence.drift.iter().flat_map(|drift| rows::drift_rates(&names, drift)));
     Cell {
         measurements,
-        orders: rows::orders(&names, &evidence),
-        drifts: drifts(&names, drift.as_ref()),
-        verdicts,
-        series: if series { against_time(&names, scene, contestant, &evidence) } else { Vec::new() },
-        reduction: points.as_ref().map(|points| points.difference),
+        orders: rows::orders(&names, &evidence.ladder),
+        drifts: evidence.drift.iter().map(|drift| rows::drift(&names, drift)).collect(),
+        verdicts: gates::judge(&evidence, baseline),
+        series: if series { against_time(&names, scene, contestant, &climbed.rungs) } else { Vec::new() },
+        evidence: Arc::new(evidence),
     }
 }
 
-/// The limit of stability on record for the scheme in the scene, and as it is now.
+/// Everything that gates read.
+fn evidence(scene: &Scene, reference: &Reference, contestant: &Contestant, climbed: &Climbed) -> Evidence {
+    let (system, rungs) = (&scene.system, &climbed.rungs);
+    let fastest = reference.states.iter().map(|s| rotation::length(&s.angular_velocity)).fold(0.0, f64::max);
+    let asked = |claim: Claim| contestant.card.claims.contains(&claim);
+    let truth = asked(Claim::FlipTimes).then(|| measure::true_flips(system, reference, fastest)).flatten();
+    Evidence {
+        ladder: climbed.ladder.clone(),
+        drift: measure::energy_drift(contestant, system, scene.duration),
+        points: measure::point_run(contestant, system, scene.duration, fastest),
+        flips: truth.and_then(|truth| measure::flips(contestant, system, scene.duration, fastest, truth)),
+        reversal: asked(Claim::Reversible).then(|| measure::reversal(contestant, system, rungs)).flatten(),
+        symplecticity: asked(Claim::Symplectic)
+            .then(|| measure::symplecticity(contestant, system, rungs))
+            .flatten(),
+        other_worlds: if asked(Claim::Equivariant) {
+            measure::other_worlds(contestant, system, rungs)
+        } else {
+            Vec::new()
+        },
+        step_limit: step_limit(scene, contestant),
+        ..unmeasured(scene, contestant)
+    }
+}
+
+/// Who is in which scene, and nothing measured.
+pub(crate) fn unmeasured(scene: &Scene, contestant: &Contestant) -> Evidence {
+    let system = &scene.system;
+    let (constant_force, no_force) = system.constant_force();
+    Evidence {
+        scene: scene.name.clone(),
+        scheme: contestant.card.name.to_owned(),
+        model: contestant.model(system).to_owned(),
+        setting: Setting {
+            content: scene.content(),
+            not_for_order: scene.not_for_order.clone(),
+            generic: scene.built_in && GENERIC.contains(&scene.name.as_str()),
+            torque_free: system.torque_free(),
+            steady_spin: system.steady_spin(),
+            symmetric: system.body.symmetric(),
+            constant_force,
+            no_force,
+            point: system.body.shape == Shape::Point,
+        },
+        claims: contestant.card.claims.to_vec(),
+        program: contestant.is_foreign(),
+        known_as: contestant.program().map_or(contestant.card.name.to_owned(), |program| program.name),
+        ..Evidence::default()
+    }
+}
+
+/// The ladder of the order that the scheme claims in the scene, with the likeliest cause where a program solves another motion.
+fn climb(scene: &Scene, reference: &Reference, contestant: &Contestant) -> Climbed {
+    let (system, card) = (&scene.system, &contestant.card);
+    let order = if system.torque_free() { card.order_without_torque() } else { card.order() };
+    let order = scene.not_for_order.is_none().then_some(order);
+    measure::climb_and_see(contestant, system, reference, order, |climbed, [finest, before]| {
+        if contestant.is_foreign() && goes_elsewhere(climbed) {
+            let truth = truth_at(reference, &finest);
+            climbed.ladder.cause = cause::likeliest_cause(system, &truth, &finest, &before)
+                .map(|cause| cause.words().to_owned());
+        }
+    })
+}
+
+/// Whether a program starts or ends elsewhere in any quantity.
+fn goes_elsewhere(climbed: &Climbed) -> bool {
+    let ladder = &climbed.ladder;
+    let elsewhere = |quantity| {
+        matches!(measure::decide(&measure::Asked::of(ladder, quantity)), Decision::Elsewhere { .. })
+    };
+    Quantity::ALL.into_iter().any(|quantity| {
+        ladder.start[quantity] > measure::start_allows(ladder, quantity) || elsewhere(quantity)
+    })
+}
+
+/// The truth at the times of a run.
+fn truth_at(reference: &Reference, states: &[Snapshot]) -> Vec<Snapshot> {
+    let every = (reference.states.len() - 1) / (states.len() - 1).max(1);
+    reference.states.iter().step_by(every.max(1)).copied().collect()
+}
+
+/// The limit of stability of the scheme in the scene, where one is on record.
 #[cfg(feature = "cli")]
-fn step_limit(scene: &Scene, contestant: &Contestant) -> Option<(&'static LinearLimit, LinearLimit)> {
-    let stored =
-        Stability::built_in().linear(&scene.name, contestant.card.name).filter(|_| scene.built_in)?;
-    let measured = stability::linear_limit_in(&scene.name, &Bench::of(&scene.system)?, contestant)?;
-    Some((stored, measured))
+fn step_limit(scene: &Scene, contestant: &Contestant) -> Option<LinearLimit> {
+    let records = crate::record::stability::Stability::built_in();
+    records.linear(&scene.name, contestant.card.name).filter(|_| scene.built_in)?;
+    stability::linear_limit_in(&scene.name, &Bench::of(&scene.system)?, contestant)
 }
 
 /// Limits of stability are measured with the feature `cli`.
 #[cfg(not(feature = "cli"))]
-fn step_limit(_: &Scene, _: &Contestant) -> Option<(&'static LinearLimit, LinearLimit)> {
+fn step_limit(_: &Scene, _: &Contestant) -> Option<LinearLimit> {
     None
-}
-
-/// The ladder of the order that the scheme claims in the scene.
-fn ladder(scene: &Scene, reference: &Reference, contestant: &Contestant) -> Evidence {
-    let (system, card) = (&scene.system, &contestant.card);
-    let order = if system.torque_free() { card.order_without_torque() } else { card.order() };
-    measure::climb(contestant, system, reference, order, scene.not_for_order.is_none())
-}
-
-/// The verdicts that a control is asked for: on orders, of errors and of the energy's rate.
-pub(super) fn orders_alone(scene: &Scene, reference: &Reference, contestant: &Contestant) -> Vec<Verdict> {
-    let evidence = ladder(scene, reference, contestant);
-    let drift = measure::energy_drift(contestant, &scene.system, scene.duration);
-    let baseline = Baseline::default();
-    let of_ladder = Case::of(&scene.name, &scene.system, &contestant.card, &evidence, &baseline);
-    gates::judge_orders(&Case { drift: drift.as_ref(), ..of_ladder })
 }
 
 /// A scheme that cannot take the scene: not applicable, with the reason, for every claim.
 pub(super) fn refused(scene: &Scene, contestant: &Contestant, reason: &str) -> Cell {
+    let evidence = Evidence { refused: Some(reason.to_owned()), ..unmeasured(scene, contestant) };
     let names = rows::Names {
         scene: &scene.name,
         scheme: contestant.card.name,
@@ -140,29 +172,17 @@ pub(super) fn refused(scene: &Scene, contestant: &Contestant, reason: &str) -> C
         measurements: vec![rows::not_applicable(&names, reason)],
         orders: Vec::new(),
         drifts: Vec::new(),
-        verdicts: gates::refuse(&scene.name, &contestant.card, reason),
+        verdicts: gates::judge(&evidence, &Baseline::default()),
         series: Vec::new(),
-        reduction: None,
+        evidence: Arc::new(evidence),
     }
 }
 
-/// Largest |Ω| of the reference [rad/s].
-fn fastest(reference: &Reference) -> f64 {
-    reference.states.iter().map(|s| rotation::length(&s.angular_velocity)).fold(0.0, f64::max)
-}
-
-fn drifts(names: &rows::Names, drift: Option<&EnergyDrift>) -> Vec<Drift> {
-    drift.map(|drift| rows::drift(names, drift)).into_iter().collect()
-}
-
 /// Energy and angular momentum against time, at a step that a user might take.
-fn against_time(
-    names: &rows::Names,
-    scene: &Scene,
-    contestant: &Contestant,
-    evidence: &Evidence,
-) -> Vec<Series> {
-    let Some(rung) = evidence.rungs.get(SERIES_RUNG) else { return Vec::new() };
+fn against_time(names: &rows::Names, scene: &Scene, contestant: &Contestant, rungs: &[Rung]) -> Vec<Series> {
+    let Some(rung) = rungs.iter().find(|rung| rung.steps >= SERIES_STEPS).or(rungs.last()) else {
+        return Vec::new();
+    };
     let plan = Plan::over(scene.duration, rung.steps, SERIES_SAMPLES.min(rung.steps));
     let run = contestant.run(&scene.system, Form::Least, &plan);
     rows::series(names, &scene.system, plan.step, &run.states)

@@ -4,7 +4,6 @@
 //! many give the same numbers to the last bit, timings aside.
 
 mod cell;
-mod controls;
 mod costs;
 #[cfg(feature = "cli")]
 mod peers;
@@ -20,12 +19,12 @@ use rayon::prelude::*;
 
 use crate::gates::{self, Baseline};
 use crate::interrupt;
-use crate::record::{ClaimName, Machine, Records, Ruling, SCHEMA, Verdict};
+use crate::record::{Machine, Records, ReferenceEvidence, SCHEMA};
 use crate::reference::{Reference, ReferenceError, stored};
 use crate::scenes::Scene;
 use crate::simulate::Contestant;
 
-pub(crate) use controls::Controls;
+pub(crate) use cell::unmeasured;
 pub(crate) use costs::{SECONDS_A_COST, add_costs, typical_step};
 #[cfg(feature = "cli")]
 pub(crate) use peers::add_peers;
@@ -33,7 +32,7 @@ pub use scaling::Sizes;
 pub use survey::{Survey, Task};
 
 /// Samples of a reference over the run.
-const SAMPLES: usize = 64;
+const SAMPLES: usize = 256;
 
 /// What a campaign covers.
 pub struct Campaign<'a> {
@@ -45,8 +44,6 @@ pub struct Campaign<'a> {
     pub baseline: Baseline,
     /// Whether to keep quantities against time, for drawing.
     pub series: bool,
-    /// What the schemes show in a generic scene; shared between campaigns of the same schemes.
-    pub controls: Controls,
     /// Called as (done, of all) after every piece of work.
     pub progress: &'a (dyn Fn(usize, usize) + Sync),
 }
@@ -61,14 +58,7 @@ struct Prepared<'a> {
 impl Campaign<'_> {
     /// A grid at its plainest: the constants of this version, nothing to draw, nobody to tell.
     pub fn of(scenes: Vec<Scene>, contestants: Vec<Contestant>) -> Campaign<'static> {
-        Campaign {
-            scenes,
-            contestants,
-            baseline: Baseline::built_in(),
-            series: false,
-            controls: Controls::default(),
-            progress: &|_, _| (),
-        }
+        Campaign { scenes, contestants, baseline: Baseline::built_in(), series: false, progress: &|_, _| () }
     }
 
     /// Measures and judges the whole grid, or what there was time for.
@@ -99,14 +89,7 @@ impl Campaign<'_> {
             return Some(cell::refused(prepared.scene, contestant, reason));
         }
         let reference = prepared.reference.as_ref()?.as_ref().ok()?;
-        Some(cell::measure(
-            prepared.scene,
-            reference,
-            contestant,
-            &self.baseline,
-            self.series,
-            &self.controls,
-        ))
+        Some(cell::measure(prepared.scene, reference, contestant, &self.baseline, self.series))
     }
 
     fn records(&self, scenes: Vec<(Prepared, Vec<Option<cell::Cell>>)>) -> Records {
@@ -121,17 +104,18 @@ impl Campaign<'_> {
             ..Records::default()
         };
         for (prepared, own) in scenes {
-            let reduction = own.iter().flatten().next().and_then(|cell| cell.reduction);
-            records.scenes.push(rows::scene(
-                prepared.scene,
-                prepared.reference.as_ref().and_then(|one| one.as_ref().ok()),
-                reduction,
-            ));
-            records.verdicts.extend(judge_reference(&prepared));
+            let reduction =
+                own.iter().flatten().find_map(|cell| Some(cell.evidence.points.as_ref()?.difference));
+            let reference = prepared.reference.as_ref().and_then(|one| one.as_ref().ok());
+            records.scenes.push(rows::scene(prepared.scene, reference, reduction));
+            let reference = reference_evidence(&prepared);
+            records.verdicts.extend(reference.as_ref().map(gates::judge_reference));
+            records.references.extend(reference);
             for cell in own.into_iter().flatten() {
                 records.measurements.extend(cell.measurements.into_iter().map(Arc::new));
                 records.orders.extend(cell.orders);
                 records.drifts.extend(cell.drifts);
+                records.evidence.push(cell.evidence);
                 records.verdicts.extend(cell.verdicts);
                 records.series.extend(cell.series.into_iter().map(Arc::new));
             }
@@ -151,18 +135,14 @@ fn prepare(scene: &Scene) -> Prepared<'_> {
     Prepared { scene, reference: Some(reference) }
 }
 
-fn judge_reference(prepared: &Prepared) -> Option<Verdict> {
+fn reference_evidence(prepared: &Prepared) -> Option<ReferenceEvidence> {
     let scene = prepared.scene;
     Some(match prepared.reference.as_ref()? {
-        Ok(reference) => gates::judge_reference(&scene.name, &scene.system, reference),
-        Err(error) => Verdict {
+        Ok(reference) => rows::reference(scene, reference),
+        Err(error) => ReferenceEvidence {
             scene: scene.name.clone(),
-            scheme: "reference".to_owned(),
-            claim: ClaimName::ReferencesAgree,
-            quantity: "all".to_owned(),
-            verdict: Ruling::Inconclusive,
-            detail: format!("no reference solution, so nothing was judged in this scene: {error}"),
-            ..Verdict::default()
+            missing: Some(error.to_string()),
+            ..ReferenceEvidence::default()
         },
     })
 }

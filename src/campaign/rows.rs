@@ -1,12 +1,13 @@
 //! What was measured, written as rows. A number that does not exist becomes `None` here, never a NaN.
 
 use crate::claim::Claim;
-use crate::measure::regression::Ladder;
-use crate::measure::{self, EnergyDrift, Evidence, Place, QuantityLadder, Rung};
+use crate::measure::drift::rate_order;
+use crate::measure::{self, Asked, Decision, Doubt, Rung, decide};
 use crate::model::{Quantity, Snapshot, System};
 use crate::record::stability::Stability;
 use crate::record::{
-    Drift, EngineRow, Measurement, Order, OrderStatus, ReferenceRow, RunStatus, SceneRow, SchemeRow, Series,
+    Drift, EnergyDrift, EnergyRung, EngineRow, Ladder, Measurement, Order, OrderStatus, ReferenceEvidence,
+    ReferenceRow, RunStatus, SceneRow, SchemeRow, Series, to_digits,
 };
 use crate::reference::Reference;
 use crate::rotation;
@@ -60,6 +61,7 @@ pub(super) fn scene(
     });
     SceneRow {
         name: scene.name.clone(),
+        content: scene.content(),
         title: scene.title.clone(),
         why: scene.why.clone(),
         duration_s: scene.duration,
@@ -73,52 +75,62 @@ pub(super) fn scene(
     }
 }
 
+/// A reference, as its gate reads it.
+pub(super) fn reference(scene: &Scene, reference: &Reference) -> ReferenceEvidence {
+    let (uncertainty, sizes) =
+        (reference.largest_uncertainty(), measure::sizes(&scene.system, &reference.states));
+    let of_size = uncertainty.zip(sizes).map(|(off, size)| if size > 0.0 { off / size } else { 0.0 });
+    let worst = of_size.into_iter().max_by(|a, b| a.1.total_cmp(&b.1));
+    ReferenceEvidence {
+        scene: scene.name.clone(),
+        sources: reference.sources.iter().map(|source| source.name.clone()).collect(),
+        worst: worst.filter(|(_, worst)| worst.is_finite()),
+        missing: None,
+    }
+}
+
 /// `own_clock`: whether the runs were timed by the program itself that made them. All others are timed after the campaign, alone.
-pub(super) fn measurements(names: &Names, evidence: &Evidence, own_clock: bool) -> Vec<Measurement> {
-    let told = |rung: &Rung| {
+pub(super) fn measurements(names: &Names, rungs: &[Rung], own_clock: bool) -> Vec<Measurement> {
+    let timed = |rung: &Rung| {
         let Outcome { steps, nanoseconds, .. } = rung.outcome;
         (own_clock && steps > 0).then(|| nanoseconds as f64 / steps as f64)
     };
-    evidence.rungs.iter().flat_map(|rung| rung_rows(names, rung, told(rung))).collect()
+    rungs.iter().flat_map(|rung| rung_rows(names, rung, timed(rung))).collect()
 }
+
+/// Digits of a value in a row, …
+const VALUE_DIGITS: usize = 7;
+/// … of a value against time, which is drawn, …
+const SERIES_DIGITS: usize = 5;
+/// … and of an uncertainty.
+const UNCERTAINTY_DIGITS: usize = 3;
 
 fn rung_rows(names: &Names, rung: &Rung, nanoseconds_per_step: Option<f64>) -> Vec<Measurement> {
     let outcome = &rung.outcome;
-    let common = Measurement {
+    let row = |metric: String, value: f64, unit: &str, uncertainty: f64| Measurement {
         scene: names.scene.to_owned(),
         scheme: names.scheme.to_owned(),
         model: names.model.to_owned(),
         step_s: rung.step,
         steps: rung.steps,
+        metric,
+        value: finite(to_digits(value, VALUE_DIGITS)),
+        unit: unit.to_owned(),
+        uncertainty: finite(to_digits(uncertainty, UNCERTAINTY_DIGITS)),
         status: if outcome.broken.is_some() { RunStatus::Broken } else { RunStatus::Ok },
         why: outcome.broken.as_ref().map(ToString::to_string),
         force_evaluations: outcome.evaluations,
         nanoseconds_per_step,
-        ..Measurement::default()
     };
     let mut rows = Vec::new();
     for (quantity, errors) in rung.errors.iter() {
-        for place in Place::ALL {
-            rows.push(Measurement {
-                metric: format!("{}-{}", quantity.name(), place.suffix()),
-                value: finite(place.of(errors)),
-                unit: quantity.unit().to_owned(),
-                uncertainty: finite(place.of(&rung.floors[quantity])),
-                ..common.clone()
-            });
-        }
+        let (floors, name, unit) = (&rung.floors[quantity], quantity.name(), quantity.unit());
+        rows.push(row(format!("{name}-end"), errors.end, unit, floors.end));
     }
+    let rounding = f64::EPSILON * (rung.steps as f64).sqrt();
     for (metric, reading) in measure::ALL.iter().zip(&rung.readings) {
-        let Some(reading) = reading else { continue };
-        for place in Place::ALL {
-            rows.push(Measurement {
-                metric: format!("{}-{}", metric.name, place.suffix()),
-                value: finite(place.of(reading)),
-                unit: metric.unit.to_owned(),
-                uncertainty: Some(f64::EPSILON * (rung.steps as f64).sqrt()),
-                ..common.clone()
-            });
-        }
+        let Some(reading) = reading.filter(|reading| reading.max != 0.0) else { continue };
+        rows.push(row(format!("{}-max", metric.name), reading.max, metric.unit, rounding));
     }
     rows
 }
@@ -137,55 +149,69 @@ pub(super) fn not_applicable(names: &Names, reason: &str) -> Measurement {
     }
 }
 
-pub(super) fn orders(names: &Names, evidence: &Evidence) -> Vec<Order> {
-    evidence.ladders.iter().map(|ladder| order(names, ladder)).collect()
+pub(super) fn orders(names: &Names, ladder: &Ladder) -> Vec<Order> {
+    Quantity::ALL.into_iter().map(|quantity| order(names, ladder, quantity)).collect()
 }
 
-fn order(names: &Names, ladder: &QuantityLadder) -> Order {
-    let (status, why, used) = match &ladder.ladder {
-        Ladder::Window { rungs, .. } => (OrderStatus::Fitted, None, rungs.clone()),
-        Ladder::Exact => (
-            OrderStatus::Exact,
-            Some("every rung is at the floor of rounding and reference".to_owned()),
-            0..0,
-        ),
-        Ladder::TooFew { clear } => {
-            (OrderStatus::TooFew, Some(format!("{clear} rungs clear of the floor, 4 needed")), 0..0)
-        }
-        Ladder::Unsettled => {
-            (OrderStatus::Unsettled, Some("no three successive slopes agree to 0.15".to_owned()), 0..0)
-        }
-        Ladder::Broken => (OrderStatus::Broken, Some("the finest run broke".to_owned()), 0..0),
-    };
-    let fit = ladder.fit();
-    Order {
+/// What the rule of orders says of a quantity.
+fn order(names: &Names, ladder: &Ladder, quantity: Quantity) -> Order {
+    let asked = Asked::of(ladder, quantity);
+    let last = asked.runs.last();
+    let mut row = Order {
         scene: names.scene.to_owned(),
         scheme: names.scheme.to_owned(),
-        quantity: format!("{}-{}", ladder.quantity.name(), ladder.place.suffix()),
-        order: fit.map(|fit| fit.slope),
-        low: fit.map(|fit| fit.low),
-        high: fit.map(|fit| fit.high),
-        constant: ladder.constant,
-        rungs_used: used.len(),
-        rungs_dropped: ladder.rungs.len() - used.len(),
-        steps_used_s: ladder.rungs[used].iter().map(|rung| rung.0).collect(),
-        floor: ladder.rungs.last().and_then(|rung| finite(rung.2)),
-        unit: ladder.quantity.unit().to_owned(),
-        status,
-        why,
+        quantity: quantity.name().to_owned(),
+        rungs_dropped: asked.runs.len(),
+        floor: last.and_then(|run| finite(asked.floor(run, asked.times.len()))),
+        unit: quantity.unit().to_owned(),
+        ..Order::default()
+    };
+    match decide(&asked) {
+        Decision::Order(found) => {
+            let (low, high) = found.bounds();
+            // The pairs of runs that r fell over.
+            let used = &asked.runs[found.rungs - RUNGS_OF_DECISION..found.rungs];
+            row.status = OrderStatus::Decided;
+            (row.order, row.low, row.high) = (Some(found.slope), Some(low), Some(high));
+            (row.constant, row.r, row.until_s) =
+                (finite(to_digits(found.constant, VALUE_DIGITS)), Some(found.r), Some(found.until));
+            (row.rungs_used, row.rungs_dropped) = (used.len(), asked.runs.len() - used.len());
+            row.steps_used_s = used.iter().map(|run| run.step).collect();
+        }
+        Decision::Exact => {
+            row.status = OrderStatus::Exact;
+            row.why = Some("every error is at its rounding".to_owned());
+        }
+        Decision::Elsewhere { error, .. } => {
+            row.status = OrderStatus::Elsewhere;
+            row.why = Some(format!("the error stays at {error:.4} {}", quantity.unit()));
+        }
+        Decision::Undecided(doubt) => {
+            row.status = match doubt {
+                _ if last.is_none_or(|run| run.errors.is_empty()) => OrderStatus::Broken,
+                Doubt::NotAsymptotic { .. } => OrderStatus::Undecided,
+                _ => OrderStatus::TooFew,
+            };
+            row.why = Some("r falls below a tenth for no order".to_owned());
+        }
     }
+    row
 }
+
+/// Runs that r falls over: two falls lie between three pairs.
+const RUNGS_OF_DECISION: usize = 4;
 
 pub(super) fn drift(names: &Names, drift: &EnergyDrift) -> Drift {
     let shown = &drift.rungs[drift.shown];
+    let order = if let Decision::Order(order) = rate_order(drift) { Some(order) } else { None };
     Drift {
         scene: names.scene.to_owned(),
         scheme: names.scheme.to_owned(),
         quantity: "rotational-energy".to_owned(),
         class: drift.class,
-        rate_order: drift.order.map(|fit| fit.slope),
-        low: drift.order.map(|fit| fit.low),
-        high: drift.order.map(|fit| fit.high),
+        rate_order: order.map(|order| order.slope),
+        low: order.map(|order| order.bounds().0),
+        high: order.map(|order| order.bounds().1),
         rate: finite(shown.rate),
         step_s: Some(shown.step),
         level: finite(shown.level),
@@ -194,7 +220,7 @@ pub(super) fn drift(names: &Names, drift: &EnergyDrift) -> Drift {
 }
 
 pub(super) fn drift_rates(names: &Names, drift: &EnergyDrift) -> Vec<Measurement> {
-    let row = |rung: &measure::EnergyRung, metric: &str, value, unit: &str, uncertainty| Measurement {
+    let row = |rung: &EnergyRung, metric: &str, value, unit: &str, uncertainty| Measurement {
         scene: names.scene.to_owned(),
         scheme: names.scheme.to_owned(),
         model: "free".to_owned(),
@@ -235,8 +261,8 @@ pub(super) fn series(names: &Names, system: &System, step: f64, states: &[Snapsh
                 step_s: step,
                 quantity: quantity.to_owned(),
                 unit: unit.to_owned(),
-                time_s: states.iter().map(|s| s.time).collect(),
-                value,
+                time_s: states.iter().map(|s| to_digits(s.time, VALUE_DIGITS)).collect(),
+                value: value.into_iter().map(|value| to_digits(value, SERIES_DIGITS)).collect(),
             });
         }
     };

@@ -11,6 +11,7 @@
 mod adapter;
 mod check;
 pub mod compare;
+mod contract;
 mod error;
 mod hello;
 mod laws;
@@ -20,6 +21,8 @@ mod process;
 mod reply;
 mod request;
 mod specimen;
+mod spread;
+mod subject;
 
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};
@@ -32,6 +35,7 @@ use crate::simulate::{Break, Contestant, Outcome, Plan, Program};
 
 pub use adapter::Language;
 pub use check::{Finding, check};
+pub use contract::{Clause, Conduct, Evidence, Judgement, hold};
 pub use error::EngineError;
 pub use memory::set_most_memory;
 pub use process::end_all;

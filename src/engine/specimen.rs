@@ -21,6 +21,12 @@ pub(super) const LAWS: [(&str, &str); 9] = [
     ("ground", "stiffness = 100.0"),
 ];
 
+/// The entry of a law in a scene file; empty for a name that is none.
+pub(super) fn law(name: &str) -> String {
+    let entry = LAWS.iter().find(|(law, _)| *law == name);
+    entry.map_or_else(String::new, |(law, lines)| format!("[[forces]]\nlaw = \"{law}\"\n{lines}\n"))
+}
+
 /// The body under forces, or on a pivot.
 ///
 /// # Panics

@@ -1,78 +1,68 @@
-//! The gate of solvers that choose their own steps: the error falls as the tolerance falls, until the floor.
+//! The gate of solvers that choose their own steps: the error falls as the tolerance falls, until rounding.
 //!
 //! An error control per step leaves an error in proportion to the tolerance to the power p/(p+1), and one per unit of
-//! time in proportion to the tolerance itself; changes of the step by jumps scatter both. The slope of log error against log
-//! tolerance must lie between one half and three halves; an interval that reaches into the band from outside decides nothing.
+//! time in proportion to the tolerance itself; changes of the step by jumps scatter both. The least-squares slope of log error against log
+//! tolerance must lie between one half and three halves.
 
-use super::{Case, ruled};
-use crate::measure::regression;
-use crate::measure::{self, FEWEST_TOLERANCES, QuantityLadder};
-use crate::record::{ClaimName, Ruling, Verdict};
+use super::ruled;
+use crate::measure::{Asked, BELOW, Run, slope};
+use crate::model::Quantity;
+use crate::record::{ClaimName, Evidence, Ruling, Rung, Verdict, length};
 
 /// The band of the slope.
 const BAND: (f64, f64) = (0.5, 1.5);
-/// What leaves a slope open.
-const SCATTERED: &str =
-    "; whole steps between the stored times, few as they are, jump in number and scatter the errors";
+/// Fewest tolerances of a slope.
+const FEWEST: usize = 4;
+/// Evaluations at a tolerance over those at the next larger one, where tolerances rule.
+const MORE_WORK: f64 = 1.1;
 
-pub(super) fn judge(case: &Case, power: u32) -> Vec<Verdict> {
-    let asked = case.evidence.ladders.iter().filter(|ladder| measure::judged_by_tolerance(ladder));
-    asked.map(|ladder| judge_ladder(case, ladder, power)).collect()
+pub(super) fn judge(evidence: &Evidence, power: u32) -> Vec<Verdict> {
+    [Quantity::Position, Quantity::Orientation, Quantity::BodyPoint]
+        .into_iter()
+        .map(|quantity| judge_quantity(evidence, quantity, power))
+        .collect()
 }
 
-fn judge_ladder(case: &Case, ladder: &QuantityLadder, power: u32) -> Verdict {
-    let name = format!("{}-end", ladder.quantity.name());
-    let rule = |verdict, detail: String| ruled(case, ClaimName::FollowsTolerance, &name, verdict, detail);
-    let Some((_, finest, floor)) = ladder.rungs.last().copied() else {
-        return rule(Ruling::Inconclusive, "no runs".to_owned());
+fn judge_quantity(evidence: &Evidence, quantity: Quantity, power: u32) -> Verdict {
+    let rule = |ruling, detail| ruled(evidence, ClaimName::FollowsTolerance, quantity.name(), ruling, detail);
+    if let Some(reason) = &evidence.setting.not_for_order {
+        return rule(Ruling::NotApplicable, reason.clone());
+    }
+    let asked = Asked::of(&evidence.ladder, quantity);
+    let rungs = &evidence.ladder.rungs;
+    let samples = asked.times.len();
+    // An error counts between rounding, of as many operations as there are evaluations, and the size of the motion, and where the next smaller
+    // tolerance makes more work: otherwise the stored times, which cut steps, or the solver's first guess rule.
+    let floor =
+        |(run, rung): (&Run, &Rung)| asked.floor(&Run { steps: rung.evaluations, ..run.clone() }, samples);
+    let governs = |index: usize| match rungs.get(index + 1) {
+        Some(next) => next.evaluations as f64 >= MORE_WORK * rungs[index].evaluations as f64,
+        None => true,
     };
-    if !finest.is_finite() {
-        let why = case.evidence.rungs.last().and_then(|rung| rung.outcome.broken.as_ref());
-        return rule(Ruling::Broken, why.map_or("no finite error".to_owned(), ToString::to_string));
+    let mut clear: Vec<(f64, f64)> = Vec::new();
+    let mut exact = true;
+    for (index, pair) in asked.runs.iter().zip(rungs).enumerate() {
+        let (error, floor) = (length(&pair.0.errors), floor(pair));
+        exact &= error <= floor;
+        let converges = error < BELOW * asked.scale * (samples as f64).sqrt();
+        if pair.1.broken.is_none() && error > floor && converges && governs(index) {
+            clear.push((f64::from(power) * pair.0.step.ln(), error.ln()));
+        }
     }
-    let governed = measure::governed(case.evidence, ladder, case.system, power);
-    let clear = &governed.rungs;
-    let at_floor = ladder.rungs.iter().all(|(_, error, floor)| *error <= 10.0 * floor);
-    if at_floor {
-        return rule(
-            Ruling::NotApplicable,
-            "at the floor of rounding and reference at every tolerance".to_owned(),
-        );
+    if exact {
+        return rule(Ruling::NotApplicable, "every error is at its rounding".to_owned());
     }
-    let Some(fit) = (clear.len() >= FEWEST_TOLERANCES).then(|| regression::fit_power(clear)).flatten() else {
+    if clear.len() < FEWEST {
         let detail = format!(
-            "{} of {} tolerances say how the error follows, and a slope needs {FEWEST_TOLERANCES}: the others leave an error as large as the motion ({}), at its floor of {floor:.1e} ({}), or the steps to the stored times and the solver's first guess ({})",
+            "{} of {} tolerances say how the error follows, and a slope needs {FEWEST}: the others leave an error as large as the motion, at its rounding, or the steps to the stored times",
             clear.len(),
-            ladder.rungs.len(),
-            governed.coarse,
-            governed.at_floor,
-            governed.ruled_otherwise,
+            rungs.len()
         );
         return rule(Ruling::Inconclusive, detail);
-    };
-    let verdict = if fit.slope >= BAND.0 && fit.slope <= BAND.1 {
-        Ruling::Pass
-    } else if fit.high < BAND.0 || fit.low > BAND.1 {
-        Ruling::Fail
-    } else {
-        Ruling::Inconclusive
-    };
-    Verdict {
-        measured: Some(fit.slope),
-        low: Some(fit.low),
-        high: Some(fit.high),
-        ..rule(
-            verdict,
-            format!(
-                "error ∝ tolerance^{:.2} [{:.2}, {:.2}] over {} tolerances, band {} … {}{}",
-                fit.slope,
-                fit.low,
-                fit.high,
-                clear.len(),
-                BAND.0,
-                BAND.1,
-                if verdict == Ruling::Inconclusive { SCATTERED } else { "" }
-            ),
-        )
     }
+    let slope = slope(&clear);
+    let ruling = if (BAND.0..=BAND.1).contains(&slope) { Ruling::Pass } else { Ruling::Fail };
+    let detail =
+        format!("error ∝ tolerance^{slope:.2} over {} tolerances, band {} … {}", clear.len(), BAND.0, BAND.1);
+    Verdict { measured: Some(slope), low: Some(BAND.0), high: Some(BAND.1), ..rule(ruling, detail) }
 }

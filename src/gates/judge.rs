@@ -1,62 +1,52 @@
 //! Every claim to its gate: the match is exhaustive.
 
 use super::{
-    Case, convergence, deviations, energy, equivariant, evaluations, exact, flip_times, follows_tolerance,
-    order, order_here, reduction, reversible, rigid, ruled, solves, stability, symplectic, vertical_momentum,
+    Baseline, deviations, energy, equivariant, evaluations, exact, flip_times, follows_tolerance, order,
+    reduction, reference, reversible, rigid, ruled, solves, stability, symplectic, vertical_momentum,
 };
 use crate::claim::Claim;
-use crate::record::{ClaimName, Ruling, Verdict};
-use crate::schemes::Card;
+use crate::record::{Evidence, Records, Ruling, Verdict};
 
-/// Judges every claim of a scheme in a scene.
-pub fn judge(case: &Case) -> Vec<Verdict> {
+/// Judges every claim of a scheme in a scene, by what was measured and what is on record.
+pub fn judge(evidence: &Evidence, baseline: &Baseline) -> Vec<Verdict> {
+    if let Some(reason) = &evidence.refused {
+        let of_claim =
+            |claim: &Claim| ruled(evidence, claim.name(), "all", Ruling::NotApplicable, reason.as_str());
+        return evidence.claims.iter().map(of_claim).collect();
+    }
     let mut verdicts = Vec::new();
-    for claim in case.card.claims {
+    for claim in &evidence.claims {
         match *claim {
-            // A program under test is judged by the rule below.
-            Claim::Order(_) if case.evidence.by_rule.is_some() => {}
-            Claim::Order(order) => verdicts.extend(order::judge(case, order_here(case, order))),
-            // Judged in place of the order, in the scenes that it speaks of.
-            Claim::OrderWithoutTorque(_) => {}
-            Claim::FollowsTolerance(power) => verdicts.extend(follows_tolerance::judge(case, power)),
-            Claim::Exact(quantity, when) => verdicts.extend(exact::judge(case, quantity, when)),
-            Claim::Energy(energy) => verdicts.extend(energy::judge(case, energy)),
-            Claim::VerticalMomentum => verdicts.extend(vertical_momentum::judge(case)),
-            Claim::FlipTimes => verdicts.extend(flip_times::judge(case)),
-            Claim::Rigid => verdicts.extend(rigid::judge(case)),
-            Claim::Reversible => verdicts.push(reversible::judge(case)),
-            Claim::Symplectic => verdicts.push(symplectic::judge(case)),
-            Claim::Equivariant => verdicts.extend(equivariant::judge(case)),
-            Claim::Evaluations(count) => verdicts.extend(evaluations::judge(case, count)),
-            Claim::Solves(count) => verdicts.push(solves::judge(case, count)),
+            // Both are judged once, with whether the runs converge to the truth.
+            Claim::Order(_) | Claim::OrderWithoutTorque(_) | Claim::SolvesAnotherMotion => {}
+            Claim::FollowsTolerance(power) => verdicts.extend(follows_tolerance::judge(evidence, power)),
+            Claim::Exact(quantity, when) => verdicts.extend(exact::judge(evidence, quantity, when)),
+            Claim::Energy(energy) => verdicts.extend(energy::judge(evidence, energy)),
+            Claim::VerticalMomentum => verdicts.push(vertical_momentum::judge(evidence)),
+            Claim::FlipTimes => verdicts.push(flip_times::judge(evidence)),
+            Claim::Rigid => verdicts.push(rigid::judge(evidence)),
+            Claim::Reversible => verdicts.push(reversible::judge(evidence)),
+            Claim::Symplectic => verdicts.push(symplectic::judge(evidence)),
+            Claim::Equivariant => verdicts.extend(equivariant::judge(evidence)),
+            Claim::Evaluations(count) => verdicts.push(evaluations::judge(evidence, count)),
+            Claim::Solves(count) => verdicts.push(solves::judge(evidence, count)),
         }
     }
-    verdicts.extend(case.evidence.by_rule.iter().flat_map(|by_rule| convergence::judge(case, by_rule)));
-    verdicts.extend(reduction::judge(case));
-    verdicts.extend(stability::judge(case));
-    verdicts.extend(judge_without_order(case));
+    verdicts.extend(order::judge(evidence, baseline));
+    verdicts.push(reduction::judge(evidence));
+    verdicts.extend(stability::judge(evidence));
     deviations::apply(&mut verdicts);
     verdicts
 }
 
-/// A scheme that claims no order is not judged by its ladder; that its runs broke is said all the same.
-fn judge_without_order(case: &Case) -> Option<Verdict> {
-    let broken = case.evidence.rungs.iter().find_map(|rung| rung.outcome.broken.as_ref())?;
-    (case.card.order() == 0).then(|| ruled(case, ClaimName::Run, "all", Ruling::Broken, broken.to_string()))
-}
-
-/// The verdicts of a scheme that cannot take a scene: every claim not applicable, with the reason.
-pub fn refuse(scene: &str, card: &Card, reason: &str) -> Vec<Verdict> {
-    card.claims
-        .iter()
-        .map(|claim| Verdict {
-            scene: scene.to_owned(),
-            scheme: card.name.to_owned(),
-            claim: claim.name(),
-            quantity: "all".to_owned(),
-            verdict: Ruling::NotApplicable,
-            detail: reason.to_owned(),
-            ..Verdict::default()
-        })
-        .collect()
+/// Judges stored evidence: the references first, then every scheme in every scene.
+pub fn judge_all(records: &Records, baseline: &Baseline) -> Vec<Verdict> {
+    let mut verdicts = Vec::new();
+    for scene in &records.scenes {
+        let references = records.references.iter().filter(|row| row.scene == scene.name);
+        verdicts.extend(references.map(reference::judge_reference));
+        let measured = records.evidence.iter().filter(|row| row.scene == scene.name);
+        verdicts.extend(measured.flat_map(|row| judge(row, baseline)));
+    }
+    verdicts
 }

@@ -1,204 +1,322 @@
-//! The order gate: the 95 % interval of the fitted slope inside p ± 0.15, and the error constant within 5 % of the
-//! one on record.
+//! What the one rule for an order ([`crate::measure::Order`]) says, quantity by quantity. It is the same for schemes of the list, of other
+//! crates and for programs under test.
+//!
+//! - The first state of a run is the start of the scene.
+//! - The runs converge to the truth. Runs that converge to one another and not to the truth fail, in every scene.
+//! - The order is at least the claimed one in every scene, and exactly that in the generic ones. An order is the least over all problems and
+//!   quantities: a higher one is a remark.
+//! - A run of an odd number of steps is what the others make of it.
+//! - The error constant is that on record, and so is the error of every run of the same step.
 
-use super::{Case, broke, excuses, promised_exact, ruled};
-use crate::measure::regression::{Fit, Ladder};
-use crate::measure::{APART, BAND, QuantityLadder};
+use super::{Baseline, SOLVED_TO, promised_exact, ruled};
+use crate::claim::Claim;
+use crate::measure::{Asked, BELOW, CLEAR, Decision, Doubt, HIGHEST, Order, Run, decide, start_allows};
 use crate::model::Quantity;
-use crate::model::body::Shape;
-use crate::record::{ClaimName, Ruling, Verdict};
+use crate::record::{ClaimName, Evidence, Ruling, Rung, Verdict, length};
 
 /// Largest relative change of an error constant.
-const CONSTANT_CHANGE: f64 = 0.05;
-/// Error over its floor that cannot have been overlooked.
-const LARGE: f64 = 1e3;
+const CONSTANT_CHANGE: f64 = 0.01;
+/// Relative change of the error of a run from which on it is another scheme's: what r tends to for a wrong order.
+const CHANGED: f64 = 0.5;
+/// Fall of an error from one run to the next over what its order explains, from which on it is named: three orders more.
+const NAMED: f64 = 8.0;
+/// Difference of an error from that of the coarser of two runs over the difference of these, from which on it does not lie between them.
+const BETWEEN: f64 = 2.0;
+/// Runs of so few steps are asked of what is promised to be exact alone.
+const MOST_GIANT: u64 = 7;
 
-pub(super) fn judge(case: &Case, order: u32) -> Vec<Verdict> {
-    if let Some(reason) = case.not_for_order {
-        let order = ruled(case, ClaimName::Order, "all", Ruling::NotApplicable, reason);
-        return std::iter::once(order).chain(judge_consistency(case)).collect();
+pub(super) fn judge(evidence: &Evidence, baseline: &Baseline) -> Vec<Verdict> {
+    if evidence.claims.iter().any(|claim| matches!(claim, Claim::FollowsTolerance(_))) {
+        return all_broke(evidence).into_iter().collect();
     }
-    let judged = judged_ladders(case);
-    let name = |ladder: &QuantityLadder| format!("{}-{}", ladder.quantity.name(), ladder.place.suffix());
-    let mut slopes: Vec<Verdict> =
-        judged.iter().map(|ladder| judge_slope(case, order, ladder, &name(ladder))).collect();
-    excuses::apply(case, order, &judged, &mut slopes);
-    let with_constant = |(slope, ladder): (Verdict, &&QuantityLadder)| {
-        std::iter::once(slope).chain(judge_constant(case, ladder, &name(ladder)))
-    };
-    slopes.into_iter().zip(&judged).flat_map(with_constant).collect()
+    if let Some(broke) = all_broke(evidence) {
+        return vec![broke];
+    }
+    let judged = Quantity::ALL.into_iter().filter(|quantity| !does_not_turn(evidence, *quantity));
+    let decided: Vec<(Quantity, Decision)> =
+        judged.map(|quantity| (quantity, decide(&Asked::of(&evidence.ladder, quantity)))).collect();
+    let mut verdicts: Vec<Verdict> = Vec::new();
+    for (quantity, decision) in &decided {
+        verdicts.extend(judge_start(evidence, *quantity).filter(|_| evidence.program));
+        // An order that is judged says whether the runs converge.
+        let order = judge_order(evidence, *quantity, decision);
+        verdicts.push(order.unwrap_or_else(|| judge_convergence(evidence, *quantity, decision)));
+        verdicts.extend(judge_jump(evidence, *quantity, decision));
+        verdicts.extend(judge_odd(evidence, *quantity, decision));
+        verdicts.extend(judge_constant(evidence, *quantity, decision, baseline));
+        verdicts.extend(judge_record(evidence, *quantity, baseline));
+    }
+    if let Some(reason) = &evidence.setting.not_for_order {
+        verdicts.push(ruled(evidence, ClaimName::Order, "all", Ruling::NotApplicable, reason.as_str()));
+    }
+    let found =
+        |decision: &Decision| if let Decision::Order(found) = decision { Some(found.order) } else { None };
+    let orders = || decided.iter().filter_map(|(_, decision)| found(decision));
+    verdicts.extend(judge_generic(evidence, orders().min()));
+    verdicts.extend(evidence.ladder.cause.iter().map(|cause| {
+        ruled(
+            evidence,
+            ClaimName::Converges,
+            "cause",
+            Ruling::NotApplicable,
+            format!("likeliest cause: {cause}"),
+        )
+    }));
+    if evidence.program && evidence.order() == 0 && evidence.setting.not_for_order.is_none() {
+        let detail =
+            "the program claims no order, so none was judged: --order P says which one to hold it to";
+        verdicts.push(ruled(evidence, ClaimName::Order, "all", Ruling::Inconclusive, detail));
+    }
+    verdicts
 }
 
-/// Those of quantities that are not promised to be exact.
-fn judged_ladders<'a>(case: &'a Case) -> Vec<&'a QuantityLadder> {
-    let judged = |ladder: &&QuantityLadder| {
-        !promised_exact(case, ladder.quantity) && !does_not_turn(case, ladder.quantity)
+/// The verdict where no run came to its end, or the finest did not.
+fn all_broke(evidence: &Evidence) -> Option<Verdict> {
+    let finest = evidence.ladder.rungs.last();
+    let broken = |why: &str| {
+        let at = finest.map_or(String::new(), |rung| format!(", at the finest step of {:.1e} s", rung.step));
+        ruled(evidence, ClaimName::Run, "all", Ruling::Broken, format!("{why}{at}"))
     };
-    case.evidence.ladders.iter().filter(judged).collect()
-}
-
-/// Where no order applies, a scheme must at least not converge to another motion. At order p and halved steps two runs differ by
-/// 2ᵖ − 1 times the error of the finer one, half of that at least where the ratio of steps is less. Runs that twice agree with one
-/// another ten times better than with the truth, and the second time better than the first, have come to something else; once may
-/// be two errors that happen to be alike.
-fn judge_consistency(case: &Case) -> Option<Verdict> {
-    let point = Quantity::BodyPoint;
-    let mut sound = case.evidence.rungs.iter().rev().filter(|rung| rung.outcome.broken.is_none());
-    let (last, before) = (sound.next()?, sound.next());
-    let (error, floor, moved) = (last.errors[point].max, last.floors[point].max, last.moved[point].max);
-    let moved_before = before.map_or(f64::NAN, |rung| rung.moved[point].max);
-    let apart = |moved: f64, error: f64| moved / error;
-    let ratio_before = before.map_or(f64::NAN, |rung| apart(moved_before, rung.errors[point].max));
-    let at_floor = error <= 10.0 * floor;
-    let ratio = if at_floor { 1.0 } else { apart(moved, error) };
-    let (verdict, words) = if at_floor {
-        (Ruling::Pass, "the error is at its floor")
-    } else if ratio >= APART {
-        (Ruling::Pass, "runs differ from one another as much as from the truth")
-    } else if ratio.max(ratio_before) < APART / 2.0 && moved < moved_before {
-        (Ruling::Fail, "runs agree with one another and not with the truth")
-    } else if ratio.is_nan() {
-        (Ruling::Inconclusive, "there is no run before it to compare with")
-    } else {
-        (Ruling::Inconclusive, "runs differ from one another less than from the truth")
-    };
-    let detail = format!(
-        "{words}: moved {moved:.2e} m from the run before, error {error:.2e} m at h = {:.3e} s",
-        last.step
-    );
-    Some(Verdict {
-        measured: ratio.is_finite().then_some(ratio),
-        low: Some(APART),
-        ..ruled(case, ClaimName::Consistency, "body-point-max", verdict, detail)
-    })
+    match finest {
+        None => Some(broken("no run")),
+        Some(rung) => rung.broken.as_deref().map(broken),
+    }
 }
 
 /// Rotation of a single point is no quantity.
-fn does_not_turn(case: &Case, quantity: Quantity) -> bool {
+fn does_not_turn(evidence: &Evidence, quantity: Quantity) -> bool {
     let rotational =
         matches!(quantity, Quantity::Orientation | Quantity::AngularVelocity | Quantity::AngularMomentum);
-    rotational && case.system.body.shape == Shape::Point
+    rotational && evidence.setting.point
 }
 
-fn judge_slope(case: &Case, order: u32, ladder: &QuantityLadder, name: &str) -> Verdict {
-    let (verdict, detail) = match &ladder.ladder {
-        Ladder::Broken => return judge_broken(case, ladder, name),
-        _ => rule(ladder, order),
+/// A failure where the first state is not the start of the scene.
+fn judge_start(evidence: &Evidence, quantity: Quantity) -> Option<Verdict> {
+    let ladder = &evidence.ladder;
+    let apart = ladder.start[quantity];
+    let allowed = start_allows(ladder, quantity);
+    if apart <= allowed {
+        return None;
+    }
+    let unit = quantity.unit();
+    let detail = format!(
+        "the first state is off by {apart:.3e} {unit} from the start of the scene; its digits allow {allowed:.1e} {unit}"
+    );
+    let verdict = ruled(evidence, ClaimName::Start, quantity.name(), Ruling::Fail, detail);
+    Some(Verdict { measured: Some(apart), low: Some(0.0), high: Some(allowed), ..verdict })
+}
+
+/// Whether the runs converge to the truth.
+fn judge_convergence(evidence: &Evidence, quantity: Quantity, decision: &Decision) -> Verdict {
+    let rule = |ruling, detail| ruled(evidence, ClaimName::Converges, quantity.name(), ruling, detail);
+    match decision {
+        Decision::Order(found) => rule(Ruling::Pass, words(found)),
+        Decision::Exact => rule(Ruling::Pass, "every error is at its rounding".to_owned()),
+        Decision::Undecided(doubt) => rule(Ruling::NotApplicable, doubted(doubt)),
+        Decision::Elsewhere { error, apart, step, until } => {
+            let unit = quantity.unit();
+            let another = evidence.claims.contains(&Claim::SolvesAnotherMotion);
+            let ruling = if another { Ruling::Pass } else { Ruling::Fail };
+            let detail = format!(
+                "the error stays at {error:.4} {unit} however small the step: another motion is solved (the two finest runs differ \
+                 by {apart:.1e} {unit}, h = {step:.1e} s, up to t = {until} s)"
+            );
+            Verdict { measured: Some(*error), low: Some(0.0), ..rule(ruling, detail) }
+        }
+    }
+}
+
+/// A fall of an error from one run to the next that the order does not explain: named above [`NAMED`], and a failure where the error vanishes
+/// into its rounding from more than the highest order makes of a halving. An error of the size of the motion falls as it likes.
+fn judge_jump(evidence: &Evidence, quantity: Quantity, decision: &Decision) -> Option<Verdict> {
+    let order = if let Decision::Order(found) = decision { found.order } else { HIGHEST };
+    let asked = Asked::of(&evidence.ladder, quantity);
+    let samples = asked.times.len();
+    let fall = |pair: &[Run]| {
+        let (coarse, fine) = (length(&pair[0].errors), length(&pair[1].errors));
+        let whole = !pair[0].errors.is_empty() && !pair[1].errors.is_empty();
+        let small = coarse < BELOW * asked.scale * (samples as f64).sqrt();
+        let floor = asked.floor(&pair[1], samples);
+        let vanishes = fine <= floor && coarse > 2f64.powi(HIGHEST as i32) * floor;
+        let fall = coarse / fine.max(floor) / (pair[0].step / pair[1].step).powi(order as i32);
+        (whole && small && fall > NAMED).then_some((vanishes, fall, pair[0].step))
     };
-    let fit = ladder.fit();
-    Verdict {
-        measured: fit.map(|fit| fit.slope),
-        low: fit.map(|fit| fit.low),
-        high: fit.map(|fit| fit.high),
-        ..ruled(case, ClaimName::Order, name, verdict, detail)
+    let falls = asked.runs.windows(2).filter_map(fall);
+    let (vanishes, fall, step) = falls.max_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)))?;
+    let ruling = if vanishes { Ruling::Fail } else { Ruling::NotApplicable };
+    let detail = format!(
+        "from h = {step:.2e} s to the next run the error falls {fall:.0} times as much as order {order} explains"
+    );
+    Some(Verdict {
+        measured: fall.is_finite().then_some(fall),
+        ..ruled(evidence, ClaimName::Converges, quantity.name(), ruling, detail)
+    })
+}
+
+/// Whether the order is at least the claimed one; nothing where none is claimed, or the quantity is promised to be exact.
+fn judge_order(evidence: &Evidence, quantity: Quantity, decision: &Decision) -> Option<Verdict> {
+    let claimed = evidence.order();
+    let smooth = evidence.setting.not_for_order.is_none();
+    if claimed == 0 || !smooth || promised_exact(evidence, quantity) {
+        return None;
+    }
+    let rule = |ruling, detail| Some(ruled(evidence, ClaimName::Order, quantity.name(), ruling, detail));
+    match decision {
+        Decision::Elsewhere { .. } => None,
+        Decision::Exact => rule(
+            Ruling::NotApplicable,
+            "every error is at its rounding: there is no order to measure".to_owned(),
+        ),
+        Decision::Undecided(doubt) => rule(Ruling::Inconclusive, doubted(doubt)),
+        Decision::Order(found) => {
+            let (ruling, remark) = match found.order.cmp(&claimed) {
+                std::cmp::Ordering::Less => (Ruling::Fail, format!("{claimed} claimed: ")),
+                std::cmp::Ordering::Equal => (Ruling::Pass, String::new()),
+                std::cmp::Ordering::Greater => (Ruling::Pass, format!("easy scene, {claimed} claimed: ")),
+            };
+            let (low, high) = found.bounds();
+            let verdict = rule(ruling, remark + &words(found))?;
+            Some(Verdict { measured: Some(found.slope), low: Some(low), high: Some(high), ..verdict })
+        }
     }
 }
 
-/// No finite error: the run broke, or shows what is no number; or the run is whole, one step differs from the next by a number, and it
-/// is the reference that has none.
-fn judge_broken(case: &Case, ladder: &QuantityLadder, name: &str) -> Verdict {
-    let last = case.evidence.rungs.last();
-    if let Some(why) = last.and_then(|last| last.outcome.broken.as_ref()) {
-        return broke(case, ClaimName::Order, name, &why.to_string());
-    }
-    let moved = last.map(|last| ladder.place.of(&last.moved[ladder.quantity]));
-    if moved.is_some_and(f64::is_finite) {
-        let detail = "the reference is not finite: there is nothing to compare with";
-        return ruled(case, ClaimName::Order, name, Ruling::Inconclusive, detail);
-    }
-    ruled(
-        case,
-        ClaimName::Order,
-        name,
-        Ruling::Broken,
-        if last.is_some() { "no finite error" } else { "no run" },
+/// In a generic scene one quantity at least has exactly the claimed order.
+fn judge_generic(evidence: &Evidence, least: Option<u32>) -> Option<Verdict> {
+    let claimed = evidence.order();
+    let least = least.filter(|least| evidence.setting.generic && claimed > 0 && *least > claimed)?;
+    let detail = format!(
+        "order {least} in every quantity of a generic scene, {claimed} claimed: the claim is too low"
+    );
+    let verdict = ruled(evidence, ClaimName::Order, "all", Ruling::Fail, detail);
+    Some(Verdict { measured: Some(f64::from(least)), high: Some(f64::from(claimed)), ..verdict })
+}
+
+/// Runs of an odd number of steps at the end: at their rounding where the others are, and otherwise between the coarser and the finer run.
+/// Nothing where that holds.
+fn judge_odd(evidence: &Evidence, quantity: Quantity, decision: &Decision) -> Option<Verdict> {
+    let ladder = &evidence.ladder;
+    let asked = Asked::of(ladder, quantity);
+    let whole = match decision {
+        Decision::Exact => true,
+        Decision::Order(found) => found.until >= asked.times[asked.times.len() - 1],
+        _ => false,
+    };
+    let off = |odd: &Run| {
+        if *decision == Decision::Exact {
+            return Some(length(&odd.errors));
+        }
+        let finer = asked.runs.iter().position(|run| run.step < odd.step).filter(|index| *index > 0)?;
+        let (coarse, fine) = (&asked.runs[finer - 1].errors, &asked.runs[finer].errors);
+        let apart = |a: &[f64], b: &[f64]| length(&a.iter().zip(b).map(|(a, b)| a - b).collect::<Vec<_>>());
+        let from_coarse = apart(&odd.errors, coarse.get(coarse.len().checked_sub(odd.errors.len())?..)?);
+        // Over the run: at the end alone two errors may be alike by chance.
+        (from_coarse > BETWEEN * apart(coarse, fine)).then_some(from_coarse)
+    };
+    let wrong = |rung: &&Rung| {
+        let odd = Run::of(rung, quantity, &ladder.arms);
+        let floor = asked.floor(&odd, 1).max(rung.solves as f64 * SOLVED_TO * asked.scale);
+        let asked_for = rung.steps > MOST_GIANT || promised_exact(evidence, quantity);
+        whole && asked_for && rung.broken.is_none() && floor <= BELOW * asked.scale && off(&odd) > Some(floor)
+    };
+    let rung = ladder.odd.iter().find(wrong)?;
+    let error = length(&rung.error(quantity, &ladder.arms));
+    let unit = quantity.unit();
+    let detail = format!(
+        "in {} steps, an odd number, the error at the end is {error:.2e} {unit}, which the runs of even numbers do not explain",
+        rung.steps
+    );
+    let verdict = ruled(evidence, ClaimName::Converges, quantity.name(), Ruling::Fail, detail);
+    Some(Verdict { measured: Some(error), ..verdict })
+}
+
+/// The error constant against the one on record.
+fn judge_constant(
+    evidence: &Evidence,
+    quantity: Quantity,
+    decision: &Decision,
+    baseline: &Baseline,
+) -> Option<Verdict> {
+    let name = quantity.name();
+    let known = baseline.find(&evidence.setting.content, &evidence.known_as, name)?.constant?;
+    let rule = |ruling, detail| ruled(evidence, ClaimName::Constant, name, ruling, detail);
+    let Decision::Order(found) = decision else {
+        let vanished = *decision == Decision::Exact;
+        let ruling = if vanished { Ruling::Fail } else { Ruling::Inconclusive };
+        return Some(rule(ruling, format!("constant {known:.4e} on record, none measured")));
+    };
+    let (constant, change) = (found.constant, CONSTANT_CHANGE);
+    let ruling = if (constant / known - 1.0).abs() <= change { Ruling::Pass } else { Ruling::Fail };
+    let detail = format!("C = {constant:.4e}, on record {known:.4e} ± 1 %: ratio {:.4}", constant / known);
+    Some(Verdict {
+        measured: Some(constant),
+        low: Some(known * (1.0 - change)),
+        high: Some(known * (1.0 + change)),
+        ..rule(ruling, detail)
+    })
+}
+
+/// Every run against the run of the same step on record; nothing where they agree or none is on record.
+fn judge_record(evidence: &Evidence, quantity: Quantity, baseline: &Baseline) -> Option<Verdict> {
+    let recorded = baseline.find(&evidence.setting.content, &evidence.known_as, quantity.name())?;
+    let asked = Asked::of(&evidence.ladder, quantity);
+    let changed = |rung: &Rung| {
+        let (_, known, off) =
+            recorded.errors.iter().find(|(step, ..)| (step / rung.step - 1.0).abs() < 1e-9)?;
+        let vector = rung.error(quantity, &evidence.ladder.arms);
+        let components = vector.len() / asked.times.len();
+        if components == 0 {
+            return Some((rung.step, f64::INFINITY, *known));
+        }
+        let error = largest_of_points(quantity, &vector[vector.len() - components..]);
+        let run = Run::of(rung, quantity, &evidence.ladder.arms);
+        let last = run.rounding.last().copied().into_iter().collect();
+        let floor = asked.floor(&Run { rounding: last, ..run }, 1) + CLEAR * off;
+        let holds = (error - known).abs() <= CHANGED * known + floor;
+        (!holds).then_some((rung.step, error, *known))
+    };
+    let (step, error, known) = evidence.ladder.rungs.iter().find_map(changed)?;
+    let unit = quantity.unit();
+    let detail = format!(
+        "error at the end {error:.2e} {unit} at h = {step:.2e} s, {known:.2e} {unit} on record: {:.1} times as large",
+        error / known
+    );
+    let verdict = ruled(evidence, ClaimName::Constant, quantity.name(), Ruling::Fail, detail);
+    Some(Verdict { measured: error.is_finite().then_some(error), high: Some(known), ..verdict })
+}
+
+/// The length of an error at one time; of body points that of the largest.
+fn largest_of_points(quantity: Quantity, vector: &[f64]) -> f64 {
+    let parts = if quantity == Quantity::BodyPoint { 3 } else { vector.len().max(1) };
+    vector.chunks(parts).map(length).fold(0.0, f64::max)
+}
+
+fn words(found: &Order) -> String {
+    let Order { order, slope, r, rungs, step, until, .. } = found;
+    format!(
+        "order {order}: slope {slope:.3}, r = {r:.3} over {rungs} rungs down to h = {step:.1e} s, up to t = {until} s"
     )
 }
 
-/// What a ladder says of a claimed order, and why, by nothing but its numbers.
-pub fn rule(ladder: &QuantityLadder, order: u32) -> (Ruling, String) {
-    match &ladder.ladder {
-        Ladder::Window { fit, rungs } => rule_on_fit(ladder, order, fit, rungs.len()),
-        Ladder::Exact => (
-            Ruling::NotApplicable,
-            "exact: every rung of the ladder is at the floor of rounding and reference, so there is no order to measure"
-                .to_owned(),
-        ),
-        Ladder::TooFew { clear } => (
-            Ruling::Inconclusive,
+/// Why nothing is decided, and what would decide it.
+pub(super) fn doubted(doubt: &Doubt) -> String {
+    match doubt {
+        Doubt::FewRuns { whole } => {
             format!(
-                "only {clear} of {} rungs stand 10 times clear of the floor of rounding and reference ({:.2e} {}); a slope needs 4",
-                ladder.rungs.len(),
-                ladder.rungs.last().map_or(f64::NAN, |rung| rung.2),
-                ladder.quantity.unit(),
-            ),
-        ),
-        Ladder::Unsettled => (
-            Ruling::Inconclusive,
+                "{whole} runs of halved steps came to their end, and the rule needs four: smaller steps would decide it"
+            )
+        }
+        Doubt::Rounding { clear } => {
             format!(
-                "no three successive slopes agree to 0.15 down to h = {:.3e} s: not asymptotic",
-                ladder.rungs.last().map_or(f64::NAN, |rung| rung.0)
-            ),
+                "{clear} errors stand clear of rounding, and the rule needs four: larger steps would decide it"
+            )
+        }
+        Doubt::NotAsymptotic { order, least } => format!(
+            "r falls for no order (the least is {least:.2}, for order {order}): smaller steps would decide it"
         ),
-        Ladder::Broken => (Ruling::Broken, "no finite error at the finest step".to_owned()),
+        Doubt::Open { rounding } => format!(
+            "rounding leaves {:.0} % of the quantity open: a shorter run would decide it",
+            100.0 * rounding
+        ),
     }
-}
-
-fn rule_on_fit(ladder: &QuantityLadder, order: u32, fit: &Fit, rungs: usize) -> (Ruling, String) {
-    let (bottom, top) = (f64::from(order) - BAND, f64::from(order) + BAND);
-    let outside = fit.low > top || fit.high < bottom;
-    let (verdict, reason) = if ladder.holds(order) {
-        (Ruling::Pass, "inside")
-    } else if outside && ladder.is_on_its_way(order) {
-        (Ruling::Inconclusive, "a term of the claimed order is there, still under the next one:")
-    } else if fit.low > top {
-        (Ruling::Fail, "above the band (too easy a scene, or mis-declared):")
-    } else if fit.high < bottom {
-        (Ruling::Fail, "below the band:")
-    } else {
-        (Ruling::Inconclusive, "the interval reaches across an end of the band:")
-    };
-    let detail = format!(
-        "slope {:.3} [{:.3}, {:.3}] over {rungs} rungs, {reason} {bottom:.2} … {top:.2}",
-        fit.slope, fit.low, fit.high
-    );
-    (verdict, detail)
-}
-
-/// A constant on record and none measured: undecided, but where an error is below its floor that the record makes a thousand times
-/// larger.
-fn judge_without_constant(case: &Case, ladder: &QuantityLadder, known: f64, name: &str) -> Verdict {
-    let detail = format!("constant {known:.4e} on record, none measured");
-    let expected = |rung: &(f64, f64, f64)| known * rung.0.powi(order_of(case) as i32);
-    let vanished = ladder.rungs.iter().any(|rung| expected(rung) > LARGE * rung.2 && rung.1 <= rung.2);
-    if !vanished {
-        return ruled(case, ClaimName::Constant, name, Ruling::Inconclusive, detail);
-    }
-    ruled(case, ClaimName::Constant, name, Ruling::Fail, format!("{detail}: an error is below its floor"))
-}
-
-/// The order that the constants on record belong to.
-fn order_of(case: &Case) -> u32 {
-    super::order_here(case, case.card.order())
-}
-
-fn judge_constant(case: &Case, ladder: &QuantityLadder, name: &str) -> Option<Verdict> {
-    let known = case.baseline.constant(case.scene, case.card.name, name)?;
-    let Some(constant) = ladder.constant else {
-        return Some(judge_without_constant(case, ladder, known, name));
-    };
-    let holds = (constant / known - 1.0).abs() <= CONSTANT_CHANGE;
-    let verdict = if holds { Ruling::Pass } else { Ruling::Fail };
-    Some(Verdict {
-        measured: Some(constant),
-        low: Some(known * (1.0 - CONSTANT_CHANGE)),
-        high: Some(known * (1.0 + CONSTANT_CHANGE)),
-        ..ruled(
-            case,
-            ClaimName::Constant,
-            name,
-            verdict,
-            format!("C = {constant:.4e}, on record {known:.4e} ± 5 %: ratio {:.4}", constant / known),
-        )
-    })
 }

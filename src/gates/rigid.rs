@@ -1,7 +1,7 @@
 //! The rigidity gate: distances between points of the point form change by rounding only.
 
-use super::{Case, at_most, ruled};
-use crate::record::{ClaimName, Ruling, Verdict};
+use super::{at_most, ruled};
+use crate::record::{ClaimName, Evidence, Ruling, Verdict};
 
 /// Rounding of n exact rotations of a point: up to 1.3 √n u where the axis tumbles, as measured, and allowed three
 /// times that. Where the axis stands still every rotation is the same and rounds the same way: n u.
@@ -10,15 +10,15 @@ fn rounding(steps: u64, steady: bool) -> f64 {
     f64::EPSILON * (8.0 + 4.0 * steps.sqrt() + if steady { steps } else { 0.0 })
 }
 
-pub(super) fn judge(case: &Case) -> Vec<Verdict> {
-    let Some(points) = case.points else {
+pub(super) fn judge(evidence: &Evidence) -> Verdict {
+    let Some(points) = &evidence.points else {
         let detail = "no point form: the body has none, or the scheme takes none";
-        return vec![ruled(case, ClaimName::Rigid, "rigidity", Ruling::NotApplicable, detail)];
+        return ruled(evidence, ClaimName::Rigid, "rigidity", Ruling::NotApplicable, detail);
     };
-    let bound = rounding(points.steps, case.system.steady_spin());
+    let bound = rounding(points.steps, evidence.setting.steady_spin);
     let detail = format!(
         "largest change of a distance in {} steps of the point form, over the extent: {:.2e} ≤ {bound:.2e}",
         points.steps, points.stretch
     );
-    vec![at_most(case, ClaimName::Rigid, "rigidity", points.stretch, bound, detail)]
+    at_most(evidence, ClaimName::Rigid, "rigidity", points.stretch, bound, detail)
 }

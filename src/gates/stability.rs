@@ -1,21 +1,22 @@
 //! The limit of stability on the spring-held body at rest: that on record must be met to 2 %, both ways. A scheme that has become
 //! more stable than its record is as much of a change as one that has become less.
 
-use super::{Case, ruled};
-use crate::record::stability::LinearLimit;
-use crate::record::{ClaimName, Ruling, Verdict};
+use super::ruled;
+use crate::record::stability::{LinearLimit, Stability};
+use crate::record::{ClaimName, Evidence, Ruling, Verdict};
 
 /// How far a limit may be from the one on record, relative.
 const MET: f64 = 0.02;
 
-pub(super) fn judge(case: &Case) -> Option<Verdict> {
-    let (stored, measured) = case.step_limit?;
+pub(super) fn judge(evidence: &Evidence) -> Option<Verdict> {
+    let measured = evidence.step_limit.as_ref()?;
+    let stored = Stability::built_in().linear(&evidence.scene, &evidence.scheme)?;
     let (verdict, bounds, detail) = rule(stored, measured);
     Some(Verdict {
         measured: measured.h_omega,
         low: bounds.map(|bounds| bounds.0),
         high: bounds.map(|bounds| bounds.1),
-        ..ruled(case, ClaimName::Stability, "step-limit", verdict, detail)
+        ..ruled(evidence, ClaimName::Stability, "step-limit", verdict, detail)
     })
 }
 

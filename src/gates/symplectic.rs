@@ -1,23 +1,23 @@
 //! The symplecticity gate: the canonical two-form after a step is the one before, to the error of the differences that
 //! the step's derivative is taken by.
 
-use super::{Case, at_most, ruled};
-use crate::record::{ClaimName, Ruling, Verdict};
+use super::{at_most, ruled};
+use crate::record::{ClaimName, Evidence, Ruling, Verdict};
 
 /// Five-point differences at ε = 1e-3 leave ε⁴/30 of the fifth derivative and 1.5 u/ε of rounding: 3e-14 and 3e-13 times what a
 /// radian of the motion amplifies, which is 2⁵ for steps of half a radian, and a hundred for the forces of a scene. Directions
 /// that are shorter than a radian make a rounding as many times larger.
 const DEFECT: f64 = 1e-9;
 
-pub(super) fn judge(case: &Case) -> Verdict {
-    let Some(symplecticity) = case.symplecticity else {
+pub(super) fn judge(evidence: &Evidence) -> Verdict {
+    let Some(symplecticity) = evidence.symplecticity else {
         let detail = "no canonical form: a rod or a point, a body at rest, a force without potential or with a velocity in it";
-        return ruled(case, ClaimName::Symplectic, "two-form", Ruling::NotApplicable, detail);
+        return ruled(evidence, ClaimName::Symplectic, "two-form", Ruling::NotApplicable, detail);
     };
     let bound = DEFECT / symplecticity.unit;
     let detail = format!(
         "the two-form changes by {:.2e} of |L| in a step of {:.3e} s; at most {bound:.1e}",
         symplecticity.defect, symplecticity.step
     );
-    at_most(case, ClaimName::Symplectic, "two-form", symplecticity.defect, bound, detail)
+    at_most(evidence, ClaimName::Symplectic, "two-form", symplecticity.defect, bound, detail)
 }

@@ -4,23 +4,19 @@
 //! scheme's order, on top of a secular part whose rate has an order of its own; only runs over many periods
 //! tell them apart, and only steps so small that the rate stays what it was at the start.
 
+use super::order::{Asked, BELOW, CLEAR, Decision, Run, decide};
 use crate::claim::{Claim, EnergyOfFreeBody};
-use crate::measure::regression::{self, Fit, Ladder};
 use crate::model::System;
 use crate::model::body::Shape;
 use crate::model::forces::Forces;
-use crate::record::DriftClass;
+use crate::record::{DriftClass, EnergyDrift, EnergyRung};
 use crate::rotation;
 use crate::simulate::{Contestant, Form, Plan};
 
 /// Largest step, in radians turned.
-const COARSEST_TURN: f64 = 0.1;
-/// Ratio of successive steps once the rate is steady.
+const COARSEST_TURN: f64 = 0.2;
+/// Ratio of successive steps.
 const RATIO: f64 = std::f64::consts::SQRT_2;
-/// Rungs with a steady rate.
-const RUNGS: usize = 6;
-/// Difference of the rates over the first and last two thirds of a run, over the rate, below which it is steady.
-const STEADY: f64 = 0.04;
 /// Shortest run, in radians turned …
 const SHORTEST: f64 = 100.0;
 /// … in polhode periods, …
@@ -44,51 +40,32 @@ const SAMPLES: u64 = 512;
 /// Difference of two moments, over the largest, below which they are one.
 const ONE_MOMENT: f64 = 1e-9;
 
-/// One long run.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct EnergyRung {
-    /// h [s].
-    pub step: f64,
-    /// Steps taken.
-    pub steps: u64,
-    /// Secular rate of (E − E₀)/E₀ [1/s].
-    pub rate: f64,
-    /// What the rate may be wrong by: the difference of the rates over the first and last two thirds.
-    pub uncertainty: f64,
-    /// Largest |E − E₀|/E₀.
-    pub level: f64,
-    /// Largest (E − E₀)/E₀.
-    pub gain: f64,
-    /// Largest E over L²/(2 I_min), the most that L allows.
-    pub of_largest: f64,
-    /// Rounding of E after this many steps, relative.
-    pub rounding: f64,
-    /// Evaluations of the forces.
-    pub evaluations: u64,
+/// Whether there is no rate but that of rounding, or what the averages leave of an oscillation that has not gone elsewhere.
+fn is_flat(rung: &EnergyRung, long: f64) -> bool {
+    let oscillates = rung.level < WILD && rung.rate.abs() <= 3.0 * rung.uncertainty && is_bounded(rung, long);
+    rung.rate.abs() * long <= 10.0 * rung.rounding || oscillates
 }
 
-impl EnergyRung {
-    /// Whether the energy oscillates clear of rounding and has not gone elsewhere, with no rate but what the averages leave of
-    /// the oscillation.
-    fn is_flat(&self, long: f64) -> bool {
-        self.level > 100.0 * self.rounding
-            && self.level < WILD
-            && self.rate.abs() <= 3.0 * self.uncertainty
-            && self.rate.abs() * long < 0.1 * self.level
-    }
+/// Whether the rate makes less than a tenth of the largest change.
+fn is_bounded(rung: &EnergyRung, long: f64) -> bool {
+    rung.rate.abs() * long < 0.1 * rung.level
 }
 
-/// The drift of the energy over a ladder of steps.
-#[derive(Clone, Debug)]
-pub struct EnergyDrift {
-    /// Long runs, step falling.
-    pub rungs: Vec<EnergyRung>,
-    /// Kind of drift.
-    pub class: DriftClass,
-    /// Order in h of the rate.
-    pub order: Option<Fit>,
-    /// Rung that stands for the ladder: the finest with a clear rate.
-    pub shown: usize,
+/// The order in h of the rate, by the rule of orders.
+pub fn rate_order(drift: &EnergyDrift) -> Decision {
+    let run = |rung: &EnergyRung| {
+        let long = rung.step * rung.steps as f64;
+        // What a rate may be wrong by is a bound: r is to resolve a tenth of the rate.
+        let known = rung.uncertainty.max(rung.rounding / long);
+        Run {
+            step: rung.step,
+            steps: rung.steps,
+            errors: vec![rung.rate],
+            rounding: vec![known / (BELOW * CLEAR)],
+        }
+    };
+    let runs = drift.rungs.iter().map(run).collect();
+    decide(&Asked { runs, times: &[1.0], scale: 0.0, unit: 0.0, uncertainty: 0.0 })
 }
 
 /// Measures the drift; `None` for a body under torque, without spin, too near the separatrix for many periods, or
@@ -107,7 +84,8 @@ pub fn energy_drift(contestant: &Contestant, system: &System, duration: f64) -> 
     if spin == 0.0 || long * spin > LONGEST {
         return None;
     }
-    let (mut rungs, mut steady, mut flat, mut taken) = (Vec::<EnergyRung>::new(), 0, 0, 0);
+    let mut drift = EnergyDrift::default();
+    let (mut flat, mut taken) = (0, 0);
     let claimed =
         contestant.card.claims.iter().find_map(|c| if let Claim::Energy(e) = c { Some(*e) } else { None });
     let most = match claimed {
@@ -115,22 +93,39 @@ pub fn energy_drift(contestant: &Contestant, system: &System, duration: f64) -> 
         Some(_) => MOST_STEPS_OTHERWISE,
         None => MOST_STEPS_UNASKED,
     };
+    let secular = most == MOST_STEPS;
     let mut turn = COARSEST_TURN;
-    while steady < RUNGS && flat < FLAT {
+    while flat < FLAT && !matches!(rate_order(&drift), Decision::Order(_)) {
         let steps = ((long * spin / turn).ceil() as u64).div_ceil(SAMPLES) * SAMPLES;
         taken += steps;
         if taken > most {
             break;
         }
         let rung = run_rung(contestant, &rotor, long, steps)?;
-        let exact = rung.level <= 10.0 * rung.rounding;
-        let is_steady = exact || rung.uncertainty <= STEADY * rung.rate.abs();
-        steady = if is_steady { steady + 1 } else { 0 };
-        flat = if rung.is_flat(long) { flat + 1 } else { 0 };
-        turn /= if is_steady { RATIO } else { 2.0 };
-        rungs.push(rung);
+        let is_settled = is_flat(&rung, long) || !secular && is_bounded(&rung, long);
+        flat = if is_settled { flat + 1 } else { 0 };
+        turn /= RATIO;
+        drift.rungs.push(rung);
     }
-    if rungs.is_empty() { None } else { Some(classify(rungs, steady, flat >= FLAT, long)) }
+    let finest = drift.rungs.last()?;
+    // A rate counts as clear at three times its uncertainty.
+    let clear =
+        |rung: &EnergyRung| rung.rate.abs() > (3.0 * rung.uncertainty).max(10.0 * rung.rounding / long);
+    // A secular change stands out of the oscillation at large steps: it is of a higher order.
+    let bounded = drift
+        .rungs
+        .iter()
+        .filter(|rung| rung.level > 10.0 * rung.rounding)
+        .all(|rung| is_bounded(rung, long));
+    drift.class = match rate_order(&drift) {
+        _ if drift.rungs.iter().all(|rung| rung.level <= 10.0 * rung.rounding) => DriftClass::Exact,
+        _ if finest.of_largest > WAY_PAST => DriftClass::Growing,
+        _ if bounded => DriftClass::Bounded,
+        Decision::Order(_) => DriftClass::Secular,
+        _ => DriftClass::Undecided,
+    };
+    drift.shown = drift.rungs.iter().rposition(clear).unwrap_or(drift.rungs.len() - 1);
+    Some(drift)
 }
 
 fn run_rung(contestant: &Contestant, rotor: &System, long: f64, steps: u64) -> Option<EnergyRung> {
@@ -143,9 +138,9 @@ fn run_rung(contestant: &Contestant, rotor: &System, long: f64, steps: u64) -> O
     let energy: Vec<f64> = run.states.iter().map(|s| rotor.rotational_energy(s)).collect();
     let change: Vec<f64> = energy.iter().map(|e| (e - energy[0]) / energy[0]).collect();
     let third = time.len() / 3;
-    let rate = regression::secular_rate(&time, &change)?;
-    let early = regression::secular_rate(&time[..2 * third], &change[..2 * third])?;
-    let late = regression::secular_rate(&time[third..], &change[third..])?;
+    let rate = secular_rate(&time, &change)?;
+    let early = secular_rate(&time[..2 * third], &change[..2 * third])?;
+    let late = secular_rate(&time[third..], &change[third..])?;
     let smallest = rotor.body.moments.iter().copied().filter(|m| *m > 0.0).fold(f64::INFINITY, f64::min);
     let most = rotation::length(&rotor.start.angular_momentum).powi(2) / (2.0 * smallest);
     Some(EnergyRung {
@@ -165,21 +160,31 @@ fn run_rung(contestant: &Contestant, rotor: &System, long: f64, steps: u64) -> O
     })
 }
 
-fn classify(rungs: Vec<EnergyRung>, steady: usize, flat: bool, long: f64) -> EnergyDrift {
-    // A rate counts as clear at ten times its floor: at three times its uncertainty.
-    let ladder: Vec<_> =
-        rungs.iter().map(|r| (r.step, r.rate.abs(), (0.3 * r.uncertainty).max(r.rounding / long))).collect();
-    let shown = ladder.iter().rposition(|(_, rate, floor)| *rate > 10.0 * floor).unwrap_or(rungs.len() - 1);
-    let fine = &rungs[rungs.len() - steady.max(1)..];
-    let bounded = flat || fine.iter().all(|r| (r.rate * long).abs() < 0.1 * r.level);
-    let (class, order) = match regression::find_window(&ladder[rungs.len() - steady.max(1)..]) {
-        _ if rungs.iter().all(|r| r.level <= 10.0 * r.rounding) => (DriftClass::Exact, None),
-        _ if fine.iter().any(|r| r.of_largest > WAY_PAST) => (DriftClass::Growing, None),
-        Ladder::Window { fit, .. } if !flat => (DriftClass::Secular, Some(fit)),
-        _ if bounded => (DriftClass::Bounded, None),
-        _ => (DriftClass::Undecided, None),
-    };
-    EnergyDrift { rungs, class, order, shown }
+/// Secular rate of a sampled quantity, in its unit over that of time: the difference of two averages over its
+/// halves, each weighted by a Hann window, over the time between them. An oscillation of n periods a half
+/// leaks into the rate as n⁻³ only.
+///
+/// `None` with fewer than eight samples.
+fn secular_rate(time: &[f64], value: &[f64]) -> Option<f64> {
+    let half = time.len() / 2;
+    if half < 4 || time.len() != value.len() {
+        return None;
+    }
+    let (early, late) = (hann_mean(&time[..half], &value[..half]), hann_mean(&time[half..], &value[half..]));
+    Some((late.1 - early.1) / (late.0 - early.0))
+}
+
+/// Means of time and value under a Hann window.
+fn hann_mean(time: &[f64], value: &[f64]) -> (f64, f64) {
+    let count = time.len() as f64;
+    let (mut weight_sum, mut time_sum, mut value_sum) = (0.0, 0.0, 0.0);
+    for (index, (t, v)) in time.iter().zip(value).enumerate() {
+        let weight = (std::f64::consts::PI * (index as f64 + 0.5) / count).sin().powi(2);
+        weight_sum += weight;
+        time_sum += weight * t;
+        value_sum += weight * v;
+    }
+    (time_sum / weight_sum, value_sum / weight_sum)
 }
 
 /// Period of Ω in body axes [s], 4 K(k)/λ; `None` where Ω is steady. About the axis of a symmetric body it turns evenly, at

@@ -3,12 +3,12 @@
 
 use nalgebra::Vector3;
 
-use super::BAND;
-use crate::measure::regression::{self, Ladder};
+use super::order::{Asked, BELOW, CLEAR, Decision, Run, decide};
 use crate::model::body::Shape;
 use crate::model::{Snapshot, System};
 #[cfg(feature = "solvers")]
 use crate::ode::dop853;
+use crate::record::{FlipRung, Flips, TrueFlips};
 use crate::reference::Reference;
 #[cfg(not(feature = "solvers"))]
 use crate::reference::precise;
@@ -30,62 +30,39 @@ const COARSER: f64 = 16.0;
 /// Intervals of the truth: fine enough for cubic interpolation to 1e-9 of the duration.
 const TRUE_SAMPLES: u32 = 4096;
 
-/// Flips of the truth.
-#[derive(Clone, Debug, PartialEq)]
-pub struct TrueFlips {
-    /// Times [s].
-    pub times: Vec<f64>,
-    /// What they may be off by [s]: interpolation, and the solver's angle over the rate below.
-    pub uncertainty: f64,
-    /// Slowest rate at which L goes through the plane across the axis, over |L| [rad/s]: an angle over it is a time.
-    pub slowest: f64,
-}
-
-/// Flip times of one run.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FlipRung {
-    /// h [s].
-    pub step: f64,
-    /// Flip times [s].
-    pub times: Vec<f64>,
-    /// What interpolation leaves open of them [s].
-    pub uncertainty: f64,
-}
-
-/// Flips of a scheme beside those of the reference.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Flips {
-    /// Those of the reference.
-    pub truth: TrueFlips,
-    /// Runs, step falling.
-    pub rungs: Vec<FlipRung>,
-}
-
-impl Flips {
-    /// (h, largest error of a time, what it may be off by) with h falling; infinite where the flips are not as many as in truth. An
-    /// angle that rounding leaves open [rad] makes a time uncertain too.
-    pub fn ladder(&self, open: f64) -> Vec<(f64, f64, f64)> {
-        let rounding = if self.truth.slowest > 0.0 { open / self.truth.slowest } else { 0.0 };
-        self.rungs
-            .iter()
-            .map(|rung| (rung.step, self.late(rung), self.truth.uncertainty + rung.uncertainty + rounding))
-            .collect()
-    }
-
-    /// Largest error of a flip time [s].
-    fn late(&self, rung: &FlipRung) -> f64 {
-        if rung.times.len() != self.truth.times.len() {
-            return f64::INFINITY;
+/// What the rule of orders says of the flip times; an angle that rounding leaves open [rad] makes a time uncertain too.
+pub fn flip_order(flips: &Flips, open: f64) -> Decision {
+    let truth = &flips.truth;
+    let of_angle = if truth.slowest > 0.0 { open / truth.slowest } else { 0.0 };
+    let common =
+        flips.rungs.iter().filter(|rung| is_complete(flips, rung)).map(|rung| rung.times.len()).min();
+    let common = common.unwrap_or(0).min(truth.times.len());
+    let run = |rung: &FlipRung| {
+        let late = rung.times.iter().zip(&truth.times).map(|(a, b)| a - b).take(common);
+        // Each is a bound: r is to resolve a tenth of an error.
+        let known = (truth.uncertainty + rung.uncertainty + of_angle) / (BELOW * CLEAR);
+        Run {
+            step: rung.step,
+            steps: rung.steps,
+            errors: if is_complete(flips, rung) { late.collect() } else { Vec::new() },
+            rounding: vec![known; common],
         }
-        rung.times.iter().zip(&self.truth.times).map(|(a, b)| (a - b).abs()).fold(0.0, super::larger)
-    }
+    };
+    let runs = flips.rungs.iter().map(run).collect();
+    decide(&Asked { runs, times: &truth.times[..common], scale: flips.duration, unit: 0.0, uncertainty: 0.0 })
+}
 
-    /// Whether a finer run would change nothing: the times are at their floor or converge at least as fast as claimed.
-    fn settled(&self, order: u32) -> bool {
-        let ladder = self.ladder(0.0);
-        let at_floor = ladder.last().is_some_and(|(_, late, floor)| *late <= 10.0 * floor);
-        let fast = |fit: &regression::Fit| fit.low >= f64::from(order) - BAND;
-        at_floor || matches!(regression::find_window(&ladder), Ladder::Window { fit, .. } if fast(&fit))
+/// Whether a run has the flips of the truth. One more or less is the same where it lies no further from the end of the run than ten times
+/// what the others are late by, and each of these is nearer to its own than to the next: one that is missing in the middle moves all after it.
+pub fn is_complete(flips: &Flips, rung: &FlipRung) -> bool {
+    let (own, truth) = (&rung.times, &flips.truth.times);
+    let late = own.iter().zip(truth).map(|(a, b)| (a - b).abs()).fold(0.0, super::larger);
+    let longer = if own.len() > truth.len() { own } else { truth };
+    let apart = longer.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min);
+    match own.len().abs_diff(truth.len()) {
+        0 => true,
+        1 => longer.last().is_some_and(|last| 2.0 * late < apart && flips.duration - last <= 10.0 * late),
+        _ => false,
     }
 }
 
@@ -228,19 +205,18 @@ pub fn flips(
     truth: TrueFlips,
 ) -> Option<Flips> {
     let axis = tumbling_axis(system)?;
-    let order = contestant.card.order();
-    let mut flips = Flips { truth, rungs: Vec::new() };
+    let mut flips = Flips { truth, duration, rungs: Vec::new() };
     for index in 0..MOST_RUNGS {
         let steps = (duration * fastest / COARSEST_TURN).ceil() as u64 * (1 << index);
-        let enough = index >= FEWEST_RUNGS && (steps > MOST_STEPS || flips.settled(order));
-        if enough {
+        let undecided = || matches!(flip_order(&flips, 0.0), Decision::Undecided(_));
+        if index >= FEWEST_RUNGS && (steps > MOST_STEPS || !undecided()) {
             break;
         }
         let plan = Plan { step: duration / steps as f64, steps, every: 1 };
         let mut finder = Twice::new(axis);
         contestant.stream(system, Form::Least, &plan, &mut |state| finder.push(state));
         let uncertainty = finder.uncertainty();
-        flips.rungs.push(FlipRung { step: plan.step, times: finder.every.times, uncertainty });
+        flips.rungs.push(FlipRung { step: plan.step, steps, times: finder.every.times, uncertainty });
     }
     Some(flips)
 }

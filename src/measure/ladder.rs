@@ -1,57 +1,43 @@
-//! A scheme's ladder of steps on a scene, and what it says of each quantity's order.
+//! One run of a ladder, measured: as error vectors for the gates and as numbers for tables.
 
-use super::{ByRule, FOLLOWS, Reading};
-use crate::measure::regression::{self, Fit, Ladder};
-use crate::model::{PerQuantity, Quantity, System};
+use nalgebra::Vector3;
+
+use super::copies::{self, COPIES};
+use super::order::{Asked, CLEAR, Decision, Run, decide};
+use super::{ALL, FOLLOWS, Reading, Sight, errors};
+use crate::model::body::{Body, Shape};
+use crate::model::{PerQuantity, Quantity, Snapshot, System};
+use crate::record::{self, length, to_digits};
+use crate::reference::Reference;
 use crate::rotation;
-use crate::simulate::Outcome;
+use crate::simulate::{Contestant, Form, Outcome, Plan, Program};
 
-/// Change by the last halving over the error, below which a run may have come to another motion.
-pub const APART: f64 = 0.2;
-/// Misfit without a term over that with it, from which on the term is seen.
-const FAR_BETTER: f64 = 5.0;
-/// Misfit that errors may leave which rounding bends by up to a floor at the fine end of a window.
-const ROUNDING_EXPLAINS: f64 = 0.5;
-/// Angle left open by roundings [rad], or part of the spin, from which on nothing is exact.
-const OPEN_ANGLE: f64 = 1e-3;
-/// Error over its floor from which on it stands clear.
-const CLEAR: f64 = 10.0;
-/// The same, of the rung that a window must reach and that a constant is taken from.
-const SURE: f64 = 100.0;
-/// Half-width of the band about the claimed order.
-pub const BAND: f64 = 0.15;
+/// So many digits hold every double.
+const ALL_DIGITS: usize = 16;
+/// Digits of errors in the evidence, …
+const ERROR_DIGITS: usize = 5;
+/// … and of roundings.
+const ROUNDING_DIGITS: usize = 2;
 
-/// Where along a run an error is taken.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
-    /// At the end.
-    End,
-    /// The largest over the run.
-    Max,
+/// What a scheme did on the ladder of a scene.
+#[derive(Clone, Debug)]
+pub struct Climbed {
+    /// Name of the model that was run.
+    pub model: &'static str,
+    /// What gates read.
+    pub ladder: record::Ladder,
+    /// The runs, step falling, as tables show them.
+    pub rungs: Vec<Rung>,
 }
 
-impl Place {
-    /// Both.
-    pub const ALL: [Place; 2] = [Place::End, Place::Max];
-
-    /// Suffix in records.
-    pub fn suffix(self) -> &'static str {
-        match self {
-            Place::End => "end",
-            Place::Max => "max",
-        }
-    }
-
-    /// The value of a reading at this place.
-    pub fn of(self, reading: &Reading) -> f64 {
-        match self {
-            Place::End => reading.end,
-            Place::Max => reading.max,
-        }
+impl Climbed {
+    /// Why the scheme cannot take the scene, where that was known only when it was asked.
+    pub fn refusal(&self) -> Option<&str> {
+        self.rungs.iter().find_map(|rung| rung.outcome.refusal())
     }
 }
 
-/// One run of the ladder.
+/// One run of a ladder, as tables show it.
 #[derive(Clone, Debug)]
 pub struct Rung {
     /// h [s].
@@ -60,10 +46,8 @@ pub struct Rung {
     pub steps: u64,
     /// Errors; NaN where the run broke.
     pub errors: PerQuantity<Reading>,
-    /// Floors of the errors.
+    /// Roundings of the errors, and the uncertainty of the truth.
     pub floors: PerQuantity<Reading>,
-    /// How far the run is from the one before it; NaN for the first.
-    pub moved: PerQuantity<Reading>,
     /// The other metrics, in the order of [`ALL`].
     pub readings: Vec<Option<Reading>>,
     /// Cost and end.
@@ -71,114 +55,244 @@ pub struct Rung {
 }
 
 impl Rung {
-    /// Whether rounding and the reference leave so much open of the rotation that nothing can be called exact.
-    pub fn is_open(&self, system: &System) -> bool {
-        let momentum = system.start.orientation.inverse_transform_vector(&system.start.angular_momentum);
-        let spin = rotation::length(&(system.body.inverse_inertia() * momentum));
-        let open = |quantity| self.floors[quantity].max;
-        open(Quantity::Orientation) > OPEN_ANGLE
-            || spin > 0.0 && open(Quantity::AngularVelocity) > OPEN_ANGLE * spin
-    }
-
-    /// Whether rounding and the reference leave more of a body point open than a tenth of the body's size: nobody knows the motion then.
-    pub fn is_lost(&self, system: &System) -> bool {
-        self.floors[Quantity::BodyPoint].max > FOLLOWS * system.body.extent()
-    }
-
     /// Whether the run follows the truth, to a tenth of the body's size.
     pub(super) fn follows(&self, system: &System) -> bool {
         self.errors[Quantity::BodyPoint].max <= FOLLOWS * system.body.extent()
     }
+}
 
-    /// Whether an error stands clear of the floor that `unlike` roundings make and not of its own, or a hundred times clear.
-    pub(super) fn is_clear_by_one_law(&self, unlike: &PerQuantity<Reading>) -> bool {
-        let between = |error: f64, low: f64, high: f64| {
-            [CLEAR, SURE].iter().any(|clear| error > clear * low && error <= clear * high)
+/// What every run of a ladder is compared with.
+pub(super) struct Truth<'a> {
+    system: &'a System,
+    reference: &'a Reference,
+    /// Indices of the sample times among the times of the reference; the first, the start, is left out.
+    samples: Vec<usize>,
+    copies: Option<[System; COPIES]>,
+}
+
+impl<'a> Truth<'a> {
+    /// With the sample times that begin with the quarter of the quarter … of the end, as often as `quarters` says. Runs that choose their own
+    /// steps have no copies: those would choose others.
+    pub fn new(
+        contestant: &Contestant,
+        system: &'a System,
+        reference: &'a Reference,
+        quarters: u32,
+    ) -> Truth<'a> {
+        let last = reference.times.len() - 1;
+        let early = (1..=quarters).rev().map(|quarter| last >> (2 * quarter));
+        let samples = early.chain([last / 2, 3 * last / 4, last]).collect();
+        let (unit, _) = told(contestant.program());
+        let copies = !contestant.chooses_steps();
+        let copies = copies.then(|| copies::starts(system, &reference.states, unit, false));
+        Truth { system, reference, samples, copies }
+    }
+
+    /// The ladder before its first run.
+    pub fn ladder(&self) -> record::Ladder {
+        let body = &self.system.body;
+        let arms: Vec<Vector3<f64>> = match body.shape {
+            Shape::Point => Vec::new(),
+            Shape::Rod { direction } => {
+                vec![direction / rotation::length(&direction) * (body.moments.max() / body.mass).sqrt()]
+            }
+            Shape::Extended => {
+                (0..3).map(|axis| body.principal * Vector3::ith(axis, spread(body, axis))).collect()
+            }
         };
-        self.outcome.broken.is_none()
-            && self.errors.iter().any(|(quantity, error)| {
-                let (low, high) = (&unlike[quantity], &self.floors[quantity]);
-                between(error.end, low.end, high.end) || between(error.max, low.max, high.max)
-            })
+        record::Ladder {
+            times: self.samples.iter().map(|index| self.reference.times[*index]).collect(),
+            sizes: copies::sizes(self.system, &self.reference.states),
+            uncertainty: self.reference.largest_uncertainty(),
+            arms: arms.into_iter().map(Into::into).collect(),
+            ..record::Ladder::default()
+        }
+    }
+
+    /// A run of so many steps, for gates and for tables. The states that it is measured at are handed on.
+    pub fn run(
+        &self,
+        contestant: &Contestant,
+        steps: u64,
+        ladder: &mut record::Ladder,
+    ) -> (record::Rung, Rung, Vec<Snapshot>) {
+        let last = self.reference.times.len() - 1;
+        let intervals = (last / self.samples[0]) as u64;
+        let plan = Plan::over(self.reference.times[last], steps, intervals);
+        let run = contestant.run(self.system, Form::Least, &plan);
+        (ladder.arithmetic, ladder.printed) = told(contestant.program());
+        self.look_at_start(&run.states, ladder);
+        let every = last / intervals as usize;
+        let sampled = |states: &[Snapshot]| -> Vec<Snapshot> {
+            self.samples.iter().filter_map(|index| states.get(index / every)).copied().collect()
+        };
+        let (states, truth) = (sampled(&run.states), sampled_truth(self.reference, &self.samples));
+        let mut rung = self.vectors(&plan, &run.outcome, &states, &truth);
+        let mut shown = Rung {
+            step: plan.step,
+            steps,
+            errors: PerQuantity::all(Reading::NAN),
+            floors: PerQuantity::all(Reading::NAN),
+            readings: vec![None; ALL.len()],
+            outcome: run.outcome,
+        };
+        if rung.broken.is_none() {
+            for copy in self.copies.iter().flatten() {
+                let copy = sampled(&contestant.run(copy, Form::Least, &plan).states);
+                self.widen(&mut rung, &states, &copy);
+            }
+            let thinned = self.reference.thinned(every);
+            let sight = Sight { system: self.system, reference: &thinned, states: &run.states };
+            shown.errors = errors(&sight);
+            shown.readings = ALL.iter().map(|metric| metric.measure(&sight)).collect();
+            let vertical = ALL.iter().position(|metric| metric.name == "vertical-momentum");
+            rung.vertical_momentum = vertical
+                .and_then(|index| shown.readings[index])
+                .map(|reading| to_digits(reading.max, ERROR_DIGITS));
+        }
+        shown.floors = floors(ladder, &rung);
+        (rung, shown, run.states)
+    }
+
+    /// An odd number of steps, compared at the end.
+    pub fn odd(&self, contestant: &Contestant, steps: u64) -> record::Rung {
+        let last = self.reference.times.len() - 1;
+        let plan = Plan { step: self.reference.times[last] / steps as f64, steps, every: steps };
+        let run = contestant.run(self.system, Form::Least, &plan);
+        let end = |states: &[Snapshot]| states.get(1..).unwrap_or_default().to_vec();
+        let states = end(&run.states);
+        let mut rung = self.vectors(&plan, &run.outcome, &states, &self.reference.states[last..]);
+        if rung.broken.is_none() {
+            for copy in self.copies.iter().flatten() {
+                let copy = end(&contestant.run(copy, Form::Least, &plan).states);
+                self.widen(&mut rung, &states, &copy);
+            }
+        }
+        rung
+    }
+
+    fn look_at_start(&self, states: &[Snapshot], ladder: &mut record::Ladder) {
+        if let (Some(first), Some(truth)) = (states.first(), self.reference.states.first()) {
+            let apart = crate::model::difference(&self.system.body, first, truth);
+            ladder.start = PerQuantity::of(|quantity| super::larger(ladder.start[quantity], apart[quantity]));
+        }
+    }
+
+    /// Error vectors of a run at the sample times.
+    fn vectors(
+        &self,
+        plan: &Plan,
+        outcome: &Outcome,
+        states: &[Snapshot],
+        truth: &[Snapshot],
+    ) -> record::Rung {
+        let mut rung = record::Rung {
+            step: plan.step,
+            steps: plan.steps,
+            broken: outcome.broken.as_ref().map(ToString::to_string),
+            evaluations: outcome.evaluations,
+            solves: outcome.solves,
+            iterations: outcome.iterations,
+            ..record::Rung::default()
+        };
+        if rung.broken.is_none() {
+            rung.errors = between(&self.system.body, states, truth);
+            rung.rounding = PerQuantity::of(|_| vec![0.0; truth.len()]);
+            if states.len() < truth.len() || rung.errors.values().flatten().any(|x| !x.is_finite()) {
+                rung.broken = Some("a state of the run is missing or not finite".to_owned());
+                rung.errors = PerQuantity::default();
+            }
+        }
+        rung
+    }
+
+    /// Takes in the distance of a copy from the run. A copy that breaks says nothing of rounding.
+    fn widen(&self, rung: &mut record::Rung, states: &[Snapshot], copy: &[Snapshot]) {
+        if copy.len() < states.len() {
+            return;
+        }
+        let apart = between(&self.system.body, copy, states);
+        let apart = record::Rung { errors: apart, ..record::Rung::default() };
+        let arms = self.ladder().arms;
+        for quantity in Quantity::ALL {
+            let vector = apart.error(quantity, &arms);
+            let components = (vector.len() / states.len()).max(1);
+            for (largest, apart) in rung.rounding[quantity].iter_mut().zip(vector.chunks(components)) {
+                *largest = largest.max(length(apart));
+            }
+        }
     }
 }
 
-/// A quantity's ladder, judged by nothing but its numbers.
-#[derive(Clone, Debug)]
-pub struct QuantityLadder {
-    /// The quantity.
-    pub quantity: Quantity,
-    /// Where it is taken.
-    pub place: Place,
-    /// (h, error, floor), h falling.
-    pub rungs: Vec<(f64, f64, f64)>,
-    /// What they say.
-    pub ladder: Ladder,
-    /// C = e/hᵖ at the claimed order, at the finest rung of the window that stands 100 times clear of its floor.
-    pub constant: Option<f64>,
+fn sampled_truth(reference: &Reference, samples: &[usize]) -> Vec<Snapshot> {
+    samples.iter().map(|index| reference.states[*index]).collect()
 }
 
-impl QuantityLadder {
-    /// A ladder of (h, error, floor), h falling, with what it says; the constant is that of `order`.
-    pub fn of(quantity: Quantity, place: Place, rungs: Vec<(f64, f64, f64)>, order: u32) -> QuantityLadder {
-        let ladder = regression::find_window(&rungs);
-        let constant = leading_constant(&rungs, &ladder, order);
-        QuantityLadder { quantity, place, rungs, ladder, constant }
-    }
+/// Root mean square of the mass along a principal axis [m]: the moments are sums of two such squares.
+fn spread(body: &Body, axis: usize) -> f64 {
+    let squared = (0.5 * body.moments.sum() - body.moments[axis]) / body.mass;
+    // A textbook's moments may be those of no masses.
+    if squared > 0.0 { squared.sqrt() } else { 0.0 }
+}
 
-    /// The fit, where there is a window.
-    pub fn fit(&self) -> Option<Fit> {
-        if let Ladder::Window { fit, .. } = &self.ladder { Some(*fit) } else { None }
-    }
+/// The differences of two runs, as vectors in which errors add.
+pub fn between(body: &Body, a: &[Snapshot], b: &[Snapshot]) -> PerQuantity<Vec<f64>> {
+    PerQuantity::of(|quantity| a.iter().zip(b).flat_map(|(a, b)| vector(body, quantity, a, b)).collect())
+}
 
-    /// Whether the window shows a term of `order` that the next one still hides: with it two terms explain the window, far
-    /// better than two terms without it, and better than any single power. Slopes outside the band then say nothing against that
-    /// order.
-    pub fn is_on_its_way(&self, order: u32) -> bool {
-        let Ladder::Window { rungs, .. } = &self.ladder else { return false };
-        let window: Vec<_> =
-            self.rungs[rungs.clone()].iter().map(|(h, e, floor)| (*h, *e, floor / e)).collect();
-        let without = regression::misfit(&window, order + 1).unwrap_or(f64::INFINITY);
-        let power = regression::misfit_of_a_power(&window).unwrap_or(0.0);
-        regression::misfit(&window, order).is_some_and(|with| {
-            with <= 1.0 && without > ROUNDING_EXPLAINS && FAR_BETTER * with < without && with < power
-        })
-    }
-
-    /// Whether the interval lies inside the band about `order`.
-    pub fn holds(&self, order: u32) -> bool {
-        self.fit()
-            .is_some_and(|fit| fit.low >= f64::from(order) - BAND && fit.high <= f64::from(order) + BAND)
+fn vector(body: &Body, quantity: Quantity, a: &Snapshot, b: &Snapshot) -> Vec<f64> {
+    let of = |v: Vector3<f64>| vec![v.x, v.y, v.z];
+    match (quantity, &body.shape) {
+        (Quantity::Position, _) => of(a.position - b.position),
+        (Quantity::Velocity, _) => of(a.velocity - b.velocity),
+        (Quantity::AngularVelocity, _) => of(a.angular_velocity - b.angular_velocity),
+        (Quantity::AngularMomentum, _) => of(a.angular_momentum - b.angular_momentum),
+        (Quantity::BodyPoint, _) | (Quantity::Orientation, Shape::Point) => Vec::new(),
+        (Quantity::Orientation, shape) => {
+            let turn = a.orientation.to_rotation_matrix().into_inner()
+                - b.orientation.to_rotation_matrix().into_inner();
+            match shape {
+                Shape::Rod { direction } => of(turn * (direction / rotation::length(direction))),
+                _ => turn.iter().map(|x| x * std::f64::consts::FRAC_1_SQRT_2).collect(),
+            }
+        }
     }
 }
 
-/// What a scheme did on the ladder of a scene.
-#[derive(Clone, Debug)]
-pub struct Evidence {
-    /// Name of the model that was run.
-    pub model: &'static str,
-    /// The runs, step falling.
-    pub rungs: Vec<Rung>,
-    /// Ladders of every quantity at every place.
-    pub ladders: Vec<QuantityLadder>,
-    /// Runs at steps that turn the body by any angle, for a body in steady spin: exact is exact at every step.
-    pub giant_steps: Vec<Rung>,
-    /// A smaller step that the finest run would have gone on in from where it broke [s].
-    pub goes_on_in: Option<f64>,
-    /// What the rule of orders says of a program under test, whose runs it reads as vectors.
-    pub by_rule: Option<ByRule>,
+/// What an error at the end and the largest one may be off by: its floor in the rule of orders, over [`CLEAR`].
+fn floors(ladder: &record::Ladder, rung: &record::Rung) -> PerQuantity<Reading> {
+    PerQuantity::of(|quantity| {
+        let rounding = &rung.rounding[quantity];
+        let at = |rounding: f64| {
+            let run = Run { steps: rung.steps, rounding: vec![rounding], ..Run::default() };
+            Asked { runs: Vec::new(), ..Asked::of(ladder, quantity) }.floor(&run, 1) / CLEAR
+        };
+        let largest = rounding.iter().copied().fold(0.0, super::larger);
+        Reading { end: at(rounding.last().copied().unwrap_or(f64::NAN)), max: at(largest) }
+    })
 }
 
-impl Evidence {
-    /// Why the scheme cannot take the scene, where that was known only when it was asked.
-    pub fn refusal(&self) -> Option<&str> {
-        self.rungs.iter().find_map(|rung| rung.outcome.refusal())
+/// The digits that the evidence keeps: all of them where runs converge to another motion, which their small differences show.
+pub(super) fn shortened(ladder: &mut record::Ladder) {
+    let goes_elsewhere =
+        |quantity| matches!(decide(&Asked::of(ladder, quantity)), Decision::Elsewhere { .. });
+    if Quantity::ALL.into_iter().any(goes_elsewhere) {
+        return;
+    }
+    for rung in ladder.rungs.iter_mut().chain(&mut ladder.odd) {
+        for quantity in Quantity::ALL {
+            rung.errors[quantity].iter_mut().for_each(|x| *x = to_digits(*x, ERROR_DIGITS));
+            rung.rounding[quantity].iter_mut().for_each(|x| *x = to_digits(*x, ROUNDING_DIGITS));
+        }
     }
 }
 
-fn leading_constant(points: &[(f64, f64, f64)], ladder: &Ladder, order: u32) -> Option<f64> {
-    let Ladder::Window { rungs, .. } = ladder else { return None };
-    let window = &points[rungs.clone()];
-    let clearest = window.iter().rev().find(|(_, e, floor)| *e >= 100.0 * floor).or(window.first())?;
-    Some(clearest.1 / clearest.0.powi(order as i32))
+/// A unit in the last place of a program's arithmetic, and half of one that it prints, relative.
+fn told(program: Option<Program>) -> (f64, f64) {
+    let program = program.unwrap_or_default();
+    if program.single_precision {
+        return (f64::from(f32::EPSILON), f64::from(f32::EPSILON) / 2.0);
+    }
+    let few = program.digits > 0 && program.digits < ALL_DIGITS;
+    (f64::EPSILON, if few { 0.5 * 10f64.powi(1 - program.digits as i32) } else { 0.0 })
 }

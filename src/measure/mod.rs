@@ -3,46 +3,36 @@
 //! A metric reads the states of a run and those of its reference at the same times. It returns the value at the
 //! end and the largest over the run; what does not apply to a scene is `None`, never a number.
 
-pub(crate) mod cause;
 pub(crate) mod climb;
-mod drawn;
+pub(crate) mod copies;
 pub(crate) mod drift;
 mod energy;
 pub(crate) mod flips;
-mod giant_steps;
 pub(crate) mod invariance;
 mod invariants;
 pub(crate) mod ladder;
 mod momentum;
-mod order;
-mod moved_starts;
-mod past_break;
+pub(crate) mod order;
 pub(crate) mod points;
-pub(crate) mod regression;
 pub(crate) mod reversal;
 mod rigidity;
-mod rounding;
-mod sightings;
 pub(crate) mod symplecticity;
-mod tolerance;
 
 use crate::model::{PerQuantity, Quantity, Snapshot, System, difference};
 use crate::reference::Reference;
 use crate::simulate::{Contestant, Form, Plan};
 
-pub(crate) use cause::Cause;
-pub(crate) use climb::climb;
-pub(crate) use drift::{EnergyDrift, EnergyRung, energy_drift};
-pub(crate) use flips::{FlipFinder, Flips, flips, true_flips, tumbling_axis};
-pub(crate) use invariance::{OtherWorld, other_worlds};
-pub use ladder::Place;
-pub(crate) use ladder::{APART, BAND, Evidence, QuantityLadder, Rung};
-pub(crate) use order::{Decision, Doubt, Order};
-pub(crate) use points::{PointRun, point_run};
-pub(crate) use reversal::{Reversal, reversal};
-pub(crate) use sightings::ByRule;
-pub(crate) use symplecticity::{Symplecticity, symplecticity};
-pub(crate) use tolerance::{FEWEST_TOLERANCES, governed, judged_by_tolerance};
+pub(crate) use climb::{climb, climb_and_see};
+pub(crate) use copies::sizes;
+pub(crate) use drift::energy_drift;
+pub(crate) use flips::{FlipFinder, flips, true_flips, tumbling_axis};
+pub(crate) use invariance::other_worlds;
+pub(crate) use ladder::between;
+pub use ladder::{Climbed, Rung};
+pub(crate) use order::{Asked, BELOW, CLEAR, Decision, Doubt, HIGHEST, Order, Run, decide, start_allows};
+pub(crate) use points::point_run;
+pub(crate) use reversal::reversal;
+pub(crate) use symplecticity::symplecticity;
 
 /// A run and its reference at the same times.
 pub struct Sight<'a> {
@@ -68,11 +58,6 @@ impl Reading {
     const ZERO: Reading = Reading { end: 0.0, max: 0.0 };
     /// What a run that broke reads.
     const NAN: Reading = Reading { end: f64::NAN, max: f64::NAN };
-
-    /// The larger values of two readings; the other one where one is NaN.
-    fn or(self, other: Reading) -> Reading {
-        Reading { end: self.end.max(other.end), max: self.max.max(other.max) }
-    }
 }
 
 /// One metric.
@@ -93,8 +78,6 @@ impl Metric {
     }
 }
 
-/// Runs with a start a few rounding units off that show what no ladder can.
-const SHAKEN: usize = 6;
 /// Error of a run that follows the truth, over the body's size.
 const FOLLOWS: f64 = 0.1;
 
@@ -138,25 +121,32 @@ pub fn describe(quantity: Quantity) -> &'static str {
 }
 
 /// The coarsest run of a ladder that follows the truth, to a tenth of the body's size: coarser ones may be unstable and
-/// amplify every rounding. Where it solves implicit equations its first steps, `most` of them, are made from starts a few rounding units
-/// off, too: at the edge of what an iteration solves it may break in one world and not in another.
+/// amplify every rounding. Where it solves implicit equations its first steps, `most` of them, are made by copies too: at the edge of
+/// what an iteration solves it may break in one and not in another.
 fn steady_rung<'a>(
     contestant: &Contestant,
     system: &System,
     rungs: &'a [Rung],
     most: u64,
 ) -> Option<&'a Rung> {
-    let ends_however_it_rounds = |rung: &Rung| {
+    let copies_end = |rung: &Rung| {
         let steps = rung.steps.min(most);
         let plan = Plan { step: rung.step, steps, every: steps };
         let run = |system: &System| contestant.run(system, Form::Least, &plan);
-        rung.outcome.solves == 0 || {
-            let motion = run(system).states;
-            moved_starts::shaken_starts(system, &motion, SHAKEN)
-                .all(|shaken| run(&shaken).outcome.broken.is_none())
-        }
+        let ends = |start: &System| run(start).outcome.broken.is_none();
+        rung.outcome.solves == 0
+            || copies::starts(system, &run(system).states, f64::EPSILON, false).iter().all(ends)
     };
-    rungs.iter().filter(|rung| rung.follows(system)).find(|rung| ends_however_it_rounds(rung))
+    rungs.iter().filter(|rung| rung.follows(system)).find(|rung| copies_end(rung))
+}
+
+/// Least-squares slope of y against x.
+pub(crate) fn slope(points: &[(f64, f64)]) -> f64 {
+    let count = points.len() as f64;
+    let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / count;
+    let (x, y) = (mean(|point| point.0), mean(|point| point.1));
+    let along: f64 = points.iter().map(|point| (point.0 - x) * (point.1 - y)).sum();
+    along / points.iter().map(|point| (point.0 - x).powi(2)).sum::<f64>()
 }
 
 /// The larger of two numbers; NaN if either is, where `f64::max` would hide it.

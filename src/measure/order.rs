@@ -7,7 +7,7 @@
 //! (1)  r_k(q) = ‖e_k − 2^q e_{k+1}‖ / ‖e_k‖
 //! ```
 //!
-//! falls like h where q is the order, and tends to |1 − 2^(q − p)| ≥ ½ where it is not. A term of lower order that a leading one hides makes
+//! falls like h where q is the order, and tends to |1 − 2^(q − p)| ≥ ½ where it is not. (Steps in another ratio ρ have ρ^q in the place of 2^q.) A term of lower order that a leading one hides makes
 //! r rise again. The order is the q whose r falls over two halvings to below [`BELOW`], where every finer r stays below it or is
 //! explained by rounding.
 //!
@@ -16,6 +16,9 @@
 //! Over a long run errors saturate at steps that anybody takes. The rule is asked at the end first, then at a quarter of the time, and so
 //! on: what counts is the latest time at which it decides.
 
+use crate::model::Quantity;
+use crate::record::{Ladder, Rung, length};
+
 /// r of the right order falls below this; that of a wrong one tends to ½ or more, five times as much.
 pub const BELOW: f64 = 0.1;
 /// Falls of r over the last two halvings, at least: half of what h does, on a logarithmic scale, and less for the earlier one.
@@ -23,28 +26,48 @@ const FALLS: [f64; 2] = [1.3, 1.2];
 /// An error counts where it is more than so many times its rounding. Three copies show the size of a rounding to a factor of three or so, and r must
 /// resolve a tenth.
 pub const CLEAR: f64 = 30.0;
+/// Fewest runs: two falls of r are seen in three pairs of them.
+const FEWEST: usize = 4;
+/// Fewest runs that are alike.
+const FEWEST_ALIKE: usize = 2;
+/// A step of at least so many times another is a halving away.
+const HALF: f64 = 1.99;
+/// Relative difference of two times that are one.
+const SAME_TIME: f64 = 1e-9;
 /// Highest order that is asked for.
-const HIGHEST: u32 = 12;
+pub const HIGHEST: u32 = 12;
 
 /// One run, as the rule reads it.
 #[derive(Clone, Debug, Default)]
-pub struct Sighting {
+pub struct Run {
     /// h [s].
     pub step: f64,
     /// Steps of the run.
     pub steps: u64,
-    /// Error at each sample time, the earliest first: the components of one time together.
+    /// Error at each sample time, the earliest first: the components of one time together; empty where the run broke.
     pub errors: Vec<f64>,
     /// Largest distance of a copy from the run at each sample time.
     pub rounding: Vec<f64>,
 }
 
+impl Run {
+    /// A quantity of a rung.
+    pub fn of(rung: &Rung, quantity: Quantity, arms: &[[f64; 3]]) -> Run {
+        Run {
+            step: rung.step,
+            steps: rung.steps,
+            errors: rung.error(quantity, arms),
+            rounding: rung.rounding[quantity].clone(),
+        }
+    }
+}
+
 /// A quantity over runs of halved steps, the coarsest first.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Asked<'a> {
     /// The runs.
-    pub runs: &'a [Sighting],
-    /// Sample times [s].
+    pub runs: Vec<Run>,
+    /// Sample times [s], from a power of a quarter of the last to the last.
     pub times: &'a [f64],
     /// Size of the quantity over the motion, in its unit.
     pub scale: f64,
@@ -52,6 +75,30 @@ pub struct Asked<'a> {
     pub unit: f64,
     /// Uncertainty of the truth, in the unit of the quantity.
     pub uncertainty: f64,
+}
+
+impl Asked<'_> {
+    /// A quantity of a ladder.
+    pub fn of(ladder: &Ladder, quantity: Quantity) -> Asked<'_> {
+        Asked {
+            runs: ladder.rungs.iter().map(|rung| Run::of(rung, quantity, &ladder.arms)).collect(),
+            times: &ladder.times,
+            scale: ladder.sizes[quantity],
+            unit: ladder.printed,
+            uncertainty: ladder.uncertainty[quantity],
+        }
+    }
+
+    /// What the error of a run must exceed to count, over the root of the number of its first so many sample times: its distance from copies
+    /// [`CLEAR`] times, a rounding of the quantity's size for each step, and what is known of digits and truth.
+    pub fn floor(&self, run: &Run, samples: usize) -> f64 {
+        let of_all = (samples as f64).sqrt();
+        let copies = length(&run.rounding[..samples.min(run.rounding.len())]);
+        let steps = f64::EPSILON * run.steps as f64 * self.scale;
+        // Half a unit of the last digit is a bound, no estimate: r is to resolve a tenth of the error.
+        let known = (self.unit * self.scale + self.uncertainty) / BELOW;
+        (CLEAR * copies).max((steps + known) * of_all)
+    }
 }
 
 /// What the rule says of a quantity.
@@ -81,25 +128,28 @@ pub enum Decision {
 pub struct Order {
     /// The order.
     pub order: u32,
-    /// log₂(‖e_k‖ / ‖e_{k+1}‖) of the two runs that decide it.
+    /// log(‖e_k‖ / ‖e_{k+1}‖) over log(h_k / h_{k+1}) of the two runs that decide it.
     pub slope: f64,
     /// r of these runs.
     pub r: f64,
+    /// h of the coarser one over that of the finer.
+    pub ratio: f64,
     /// Runs up to the finer of the two.
     pub rungs: usize,
     /// Step of the finer one [s].
     pub step: f64,
-    /// Its error over hᵖ, extrapolated to h → 0: ‖2^(p+1) e_{k+1} − e_k‖ / h_kᵖ, over the square root of the number of sample times.
+    /// Error over hᵖ, extrapolated to h → 0: ‖ρ^(p+1) e_{k+1} − e_k‖ / ((ρ − 1) h_kᵖ), ρ = h_k/h_{k+1}, over the square root of the number of
+    /// sample times.
     pub constant: f64,
     /// The latest time that is decided [s].
     pub until: f64,
 }
 
 impl Order {
-    /// Bounds of the slope: log₂(1 ± r) about it.
+    /// Bounds of the slope: the logarithms of 1 ± r to the base of the ratio about it.
     pub fn bounds(&self) -> (f64, f64) {
-        let order = f64::from(self.order);
-        (order - (1.0 + self.r).log2(), order - (1.0 - self.r).log2())
+        let off = |r: f64| f64::from(self.order) - (1.0 + r).ln() / self.ratio.ln();
+        (off(self.r), off(-self.r))
     }
 }
 
@@ -123,6 +173,16 @@ pub enum Doubt {
         /// Its r.
         least: f64,
     },
+    /// Rounding leaves more than a tenth of the quantity open.
+    Open {
+        /// What it leaves, over the size of the quantity.
+        rounding: f64,
+    },
+}
+
+/// How far the first state of a run may be from the start of the scene: what its arithmetic and its digits allow.
+pub fn start_allows(ladder: &Ladder, quantity: Quantity) -> f64 {
+    CLEAR * (ladder.arithmetic + ladder.printed) * ladder.sizes[quantity]
 }
 
 /// Asks the rule at the end, then at a quarter of the time, and so on.
@@ -136,7 +196,8 @@ pub fn decide(asked: &Asked) -> Decision {
             Decision::Exact if at_end.is_none() => return Decision::Exact,
             other => at_end = at_end.or(Some(other)),
         }
-        samples /= 4;
+        let quarter = 0.25 * asked.times[samples - 1];
+        samples = asked.times.partition_point(|time| *time <= quarter * (1.0 + SAME_TIME));
     }
     at_end.unwrap_or(Decision::Undecided(Doubt::FewRuns { whole: 0 }))
 }
@@ -144,11 +205,18 @@ pub fn decide(asked: &Asked) -> Decision {
 /// Asks at the first so many sample times.
 fn decide_until(asked: &Asked, samples: usize) -> Decision {
     let vectors = Vectors::of(asked, samples);
-    if vectors.errors.len() < 4 {
+    if vectors.errors.len() < FEWEST_ALIKE {
         return Decision::Undecided(Doubt::FewRuns { whole: vectors.errors.len() });
+    }
+    let open = vectors.floors[vectors.floors.len() - 1] / (samples as f64).sqrt() / asked.scale;
+    if asked.scale > 0.0 && open > BELOW {
+        return Decision::Undecided(Doubt::Open { rounding: open });
     }
     if vectors.errors.iter().zip(&vectors.floors).all(|(error, floor)| length(error) <= *floor) {
         return Decision::Exact;
+    }
+    if vectors.errors.len() < FEWEST {
+        return Decision::Undecided(Doubt::FewRuns { whole: vectors.errors.len() });
     }
     let until = asked.times[samples - 1];
     if let Some(order) = vectors.order(samples, until) {
@@ -158,47 +226,53 @@ fn decide_until(asked: &Asked, samples: usize) -> Decision {
 }
 
 /// Error vectors of successive runs, each of half the step of the last, and what each must exceed to count.
-struct Vectors<'a> {
-    runs: Vec<&'a Sighting>,
+struct Vectors {
+    /// Runs that are left out before the first.
+    first: usize,
+    steps: Vec<f64>,
     errors: Vec<Vec<f64>>,
     floors: Vec<f64>,
 }
 
-impl<'a> Vectors<'a> {
-    fn of(asked: &Asked<'a>, samples: usize) -> Vectors<'a> {
-        let whole = |run: &&Sighting| {
-            run.errors.len() >= asked.times.len() && run.errors.iter().all(|x| x.is_finite())
-        };
-        let runs: Vec<&Sighting> = asked.runs.iter().filter(whole).collect();
-        let of_all = (samples as f64).sqrt();
-        let errors = runs.iter().map(|run| {
-            let components = run.errors.len() / asked.times.len();
-            run.errors[..samples * components].to_vec()
-        });
-        let floors = runs.iter().map(|run| {
-            let copies = length(&run.rounding[..samples.min(run.rounding.len())]);
-            let steps = f64::EPSILON * run.steps as f64 * asked.scale;
-            // Half a unit of the last digit is a bound, no estimate: r is to resolve a tenth of the error.
-            let known = (asked.unit * asked.scale + asked.uncertainty) / BELOW;
-            (CLEAR * copies).max((steps + known) * of_all)
-        });
-        Vectors { errors: errors.collect(), floors: floors.collect(), runs }
+impl Vectors {
+    /// Of the runs after the last one that broke.
+    fn of(asked: &Asked, samples: usize) -> Vectors {
+        let broken =
+            |run: &Run| run.errors.len() < asked.times.len() || run.errors.iter().any(|x| !x.is_finite());
+        let first = asked.runs.iter().rposition(broken).map_or(0, |last| last + 1);
+        let runs = &asked.runs[first..];
+        let until = |run: &Run| run.errors[..samples * (run.errors.len() / asked.times.len())].to_vec();
+        Vectors {
+            first,
+            steps: runs.iter().map(|run| run.step).collect(),
+            errors: runs.iter().map(until).collect(),
+            floors: runs.iter().map(|run| asked.floor(run, samples)).collect(),
+        }
     }
 
     /// The same of the differences of successive runs.
-    fn differences(&self) -> Vectors<'a> {
+    fn differences(&self) -> Vectors {
         let pairs = self.errors.windows(2).map(|pair| combined(&pair[0], -1.0, &pair[1]));
         let floors = self.floors.windows(2).map(|pair| pair[0] + pair[1]);
-        Vectors { runs: self.runs[1..].to_vec(), errors: pairs.collect(), floors: floors.collect() }
+        Vectors {
+            first: 0,
+            steps: self.steps[1..].to_vec(),
+            errors: pairs.collect(),
+            floors: floors.collect(),
+        }
+    }
+
+    /// h of a run over that of the next.
+    fn ratio(&self, k: usize) -> f64 {
+        self.steps[k] / self.steps[k + 1]
     }
 
     /// (1) of successive runs for an order, and what rounding makes of it.
     fn ratios(&self, order: u32) -> Vec<(f64, f64)> {
-        let power = f64::from(1 << order);
-        let pairs = self.errors.windows(2).zip(self.floors.windows(2));
-        pairs
-            .map(|(e, z)| {
-                let size = length(&e[0]);
+        (0..self.errors.len() - 1)
+            .map(|k| {
+                let (e, z) = (&self.errors[k..], &self.floors[k..]);
+                let (size, power) = (length(&e[0]), self.ratio(k).powi(order as i32));
                 (length(&combined(&e[0], -power, &e[1])) / size, (z[0] + power * z[1]) / size)
             })
             .collect()
@@ -209,16 +283,17 @@ impl<'a> Vectors<'a> {
         let of = |order| self.fallen(order).map(|(k, r)| (order, k, r));
         let (order, k, r) = (1..=HIGHEST).filter_map(of).min_by(|a, b| a.2.total_cmp(&b.2))?;
         let (coarse, fine) = (&self.errors[k], &self.errors[k + 1]);
-        let next = f64::from(1 << (order + 1));
-        let step = self.runs[k + 1].step;
-        let limit = length(&combined(coarse, -next, fine)) / (samples as f64).sqrt();
+        let ratio = self.ratio(k);
+        let next = ratio.powi(order as i32 + 1);
+        let limit = length(&combined(coarse, -next, fine)) / (ratio - 1.0) / (samples as f64).sqrt();
         Some(Order {
             order,
-            slope: (length(coarse) / length(fine)).log2(),
+            slope: (length(coarse) / length(fine)).ln() / ratio.ln(),
             r,
-            rungs: k + 2,
-            step,
-            constant: limit / (2.0 * step).powi(order as i32),
+            ratio,
+            rungs: self.first + k + 2,
+            step: self.steps[k + 1],
+            constant: limit / self.steps[k].powi(order as i32),
             until,
         })
     }
@@ -226,9 +301,17 @@ impl<'a> Vectors<'a> {
     /// The pair of runs at which r of an order is the least of those that have fallen and stay, and that r.
     fn fallen(&self, order: u32) -> Option<(usize, f64)> {
         let ratios = self.ratios(order);
+        // Below a tenth on either side it need not fall any more.
+        let falls = |from: usize, to: usize, by: f64| {
+            let (before, now) = (ratios[from].0, ratios[to].0);
+            now * by < before || now.max(before) < BELOW
+        };
         let fell = |k: usize| {
-            let r = |k: usize| ratios[k].0;
-            r(k) < BELOW && r(k) * FALLS[0] < r(k - 1) && r(k - 1) * FALLS[1] < r(k - 2)
+            let halved = |k: usize| (0..k).rfind(|before| self.steps[*before] >= HALF * self.steps[k]);
+            let Some((first, middle)) = halved(k).and_then(|middle| Some((halved(middle)?, middle))) else {
+                return false;
+            };
+            ratios[k].0 < BELOW && falls(middle, k, FALLS[0]) && falls(first, middle, FALLS[1])
         };
         let stays = |k: usize| ratios[k + 1..].iter().all(|(r, rounding)| *r < BELOW || r <= rounding);
         let clear = |k: usize| length(&self.errors[k]) > self.floors[k];
@@ -250,13 +333,13 @@ impl<'a> Vectors<'a> {
             return None;
         }
         let largest = |vector: &[f64]| vector.chunks(vector.len() / samples).map(length).fold(0.0, f64::max);
-        let step = self.runs.last()?.step;
+        let step = *self.steps.last()?;
         Some(Decision::Elsewhere { error: largest(error), apart: largest(apart), step, until })
     }
 
     fn doubt(&self) -> Doubt {
         let clear = self.errors.iter().zip(&self.floors).filter(|(e, z)| length(e) > **z).count();
-        if clear < 4 {
+        if clear < FEWEST {
             return Doubt::Rounding { clear };
         }
         let last = |order| self.ratios(order)[..clear - 1].last().map(|(r, _)| (order, *r));
@@ -264,14 +347,6 @@ impl<'a> Vectors<'a> {
             (1..=HIGHEST).filter_map(last).min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, f64::NAN));
         Doubt::NotAsymptotic { order, least }
     }
-}
-
-fn length(vector: &[f64]) -> f64 {
-    let largest = vector.iter().fold(0.0f64, |largest, x| largest.max(x.abs()));
-    if largest == 0.0 || !largest.is_finite() {
-        return largest;
-    }
-    largest * vector.iter().map(|x| (x / largest) * (x / largest)).sum::<f64>().sqrt()
 }
 
 /// a + factor b.
@@ -287,20 +362,20 @@ mod tests {
         [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0, 16.0];
 
     /// Runs of halved steps whose error of one component at time t is that of `error(h, t)`.
-    fn runs(error: impl Fn(f64, f64) -> f64) -> Vec<Sighting> {
+    fn runs(error: impl Fn(f64, f64) -> f64) -> Vec<Run> {
         let run = |k: i32| {
             let step = 0.25 * 0.5f64.powi(k);
             let errors = TIMES.iter().map(|t| error(step, *t)).collect();
-            Sighting { step, steps: (16.0 / step) as u64, errors, rounding: vec![1e-15; 16] }
+            Run { step, steps: (16.0 / step) as u64, errors, rounding: vec![1e-15; 16] }
         };
         (0..8).map(run).collect()
     }
 
-    fn decided(runs: &[Sighting]) -> Decision {
-        decide(&Asked { runs, times: &TIMES, scale: 1.0, unit: 0.0, uncertainty: 0.0 })
+    fn decided(runs: &[Run]) -> Decision {
+        decide(&Asked { runs: runs.to_vec(), times: &TIMES, scale: 1.0, unit: 0.0, uncertainty: 0.0 })
     }
 
-    fn order(runs: &[Sighting]) -> Option<Order> {
+    fn order(runs: &[Run]) -> Option<Order> {
         if let Decision::Order(order) = decided(runs) { Some(order) } else { None }
     }
 
@@ -356,8 +431,11 @@ mod tests {
     #[test]
     fn what_is_at_its_rounding_is_exact_and_what_is_not_finite_is_no_run() {
         assert_eq!(decided(&runs(|h, _| 1e-14 * h)), Decision::Exact);
-        let broken = decided(&runs(|h, _| if h < 0.1 { f64::NAN } else { h }));
-        assert_eq!(broken, Decision::Undecided(Doubt::FewRuns { whole: 2 }));
+        // Runs count after the last that broke: here the two finest, and none.
+        let coarse = decided(&runs(|h, _| if h > 0.005 { f64::NAN } else { h }));
+        assert_eq!(coarse, Decision::Undecided(Doubt::FewRuns { whole: 2 }));
+        let fine = decided(&runs(|h, _| if h < 0.1 { f64::NAN } else { h }));
+        assert_eq!(fine, Decision::Undecided(Doubt::FewRuns { whole: 0 }));
         assert!(matches!(decided(&[]), Decision::Undecided(Doubt::FewRuns { whole: 0 })));
     }
 }

@@ -1,40 +1,17 @@
 //! The note as written, on every mass point, beside the least model: do they agree, does the body stay rigid, is
 //! L untouched?
 
-use super::SHAKEN;
-use super::moved_starts::shaken_bodies;
+use super::copies;
 use crate::model::forces::Law;
 use crate::model::{PerQuantity, Quantity, Snapshot, System, difference};
+use crate::record::PointRun;
 use crate::rotation;
-use crate::simulate::{Contestant, Form, Outcome, Plan};
+use crate::simulate::{Contestant, Form, Plan};
 
 /// Steps of the comparison.
 const STEPS: u64 = 1000;
 /// Radians turned a step, at most.
 const TURN: f64 = 1.0 / 512.0;
-
-/// A run of the point form and what it shows.
-#[derive(Clone, Debug)]
-pub struct PointRun {
-    /// h [s].
-    pub step: f64,
-    /// Steps taken.
-    pub steps: u64,
-    /// Largest difference from the least model over the run, each quantity over its own scale.
-    pub difference: f64,
-    /// Largest change of a distance between points over the run, over the extent.
-    pub stretch: f64,
-    /// Largest change of L over |L|, for a body that no torque turns.
-    pub momentum_change: Option<f64>,
-    /// What the roundings of Σ X̃_k × F_k in every step may add to L by the end, over |L|: they have one sign for as long as the body
-    /// hardly turns.
-    pub torque_rounding: f64,
-    /// What rounding does: the largest differences of either form from itself with start and points a few rounding units off, each
-    /// quantity over its own scale.
-    pub rounding: f64,
-    /// Cost of the point form.
-    pub outcome: Outcome,
-}
 
 /// Runs both forms for 1,000 steps; `None` where the body has no points or the scheme takes none.
 pub fn point_run(contestant: &Contestant, system: &System, duration: f64, fastest: f64) -> Option<PointRun> {
@@ -47,7 +24,8 @@ pub fn point_run(contestant: &Contestant, system: &System, duration: f64, fastes
     let written = contestant.run(system, Form::Points, &plan);
     let least = contestant.run(system, Form::Least, &plan);
     let scales = scales(system, &least.states);
-    let mut largest: f64 = 0.0;
+    // Where one form breaks before the other they are not one scheme.
+    let mut largest: f64 = if written.states.len() == least.states.len() { 0.0 } else { f64::INFINITY };
     let (mut stretch, mut change): (f64, f64) = (0.0, 0.0);
     for (a, b) in written.states.iter().zip(&least.states) {
         let apart = difference(&system.body, a, b);
@@ -56,7 +34,9 @@ pub fn point_run(contestant: &Contestant, system: &System, duration: f64, fastes
         change =
             super::larger(change, rotation::length(&(a.angular_momentum - system.start.angular_momentum)));
     }
-    let of_form = |form, own: &[Snapshot]| rounding(contestant, system, form, &plan, own, &scales);
+    let of_form = |form, own: &[Snapshot]| {
+        over(copies::spread(contestant, (system, form), &plan, own), &scales).fold(0.0, super::larger)
+    };
     let rounding = of_form(Form::Points, &written.states) + of_form(Form::Least, &least.states);
     let momentum = rotation::length(&system.start.angular_momentum);
     // Half a unit for each of K − 1 sums, of the K + 1 operations that the centre of mass is known by, and of seven in a term.
@@ -70,33 +50,7 @@ pub fn point_run(contestant: &Contestant, system: &System, duration: f64, fastes
         momentum_change: (system.torque_free() && momentum > 0.0).then_some(change / momentum),
         torque_rounding,
         rounding,
-        outcome: written.outcome,
     })
-}
-
-/// A form beside itself with start and points a few rounding units off: they differ by rounding alone.
-fn rounding(
-    contestant: &Contestant,
-    system: &System,
-    form: Form,
-    plan: &Plan,
-    own: &[Snapshot],
-    scales: &PerQuantity<f64>,
-) -> f64 {
-    shaken_bodies(system, own, SHAKEN).fold(0.0, |largest, shaken| {
-        let states = contestant.run(&shaken, form, plan).states;
-        f64::max(largest, furthest(system, states.into_iter(), own, scales))
-    })
-}
-
-/// Largest difference of any quantity over its scale.
-fn furthest(
-    system: &System,
-    states: impl Iterator<Item = Snapshot>,
-    own: &[Snapshot],
-    scales: &PerQuantity<f64>,
-) -> f64 {
-    states.zip(own).flat_map(|(a, b)| over(difference(&system.body, &a, b), scales)).fold(0.0, super::larger)
 }
 
 /// Each value over its scale.

@@ -2,34 +2,16 @@
 //!
 //! A symmetric scheme, Φ₋ₕ Φₕ = 1, returns to its start to rounding; any other is off by its own error.
 
-use super::moved_starts::shaken_starts;
-use super::{Rung, SHAKEN, larger, steady_rung};
+use super::copies::{rounding, sizes, starts};
+use super::{Rung, larger, steady_rung};
 use crate::model::{PerQuantity, Quantity, Snapshot, System, difference};
+use crate::record::Reversal;
 use crate::simulate::{Contestant, Form, Plan};
 
 /// Most steps of one way.
 const STEPS: u64 = 4096;
 /// States of one way that say how large everything gets.
 const SAMPLES: u64 = 16;
-
-/// A run there and back.
-#[derive(Clone, Debug)]
-pub struct Reversal {
-    /// Steps of one way.
-    pub steps: u64,
-    /// h [s].
-    pub step: f64,
-    /// Largest distance from the start over its floor, of all quantities; NaN where a run broke.
-    pub of_floor: f64,
-    /// The quantity that it belongs to.
-    pub quantity: Quantity,
-    /// The distance itself.
-    pub distance: f64,
-    /// Implicit equations that were solved on the way there.
-    pub solves: u64,
-    /// Angle that roundings of this very run leave open, where that was measured [rad].
-    pub open: f64,
-}
 
 /// Runs there and back in the steps of the coarsest run that follows the truth; `None` where there is none, where a force
 /// depends on time, or where friction makes the way back amplify every rounding.
@@ -39,34 +21,14 @@ pub fn reversal(contestant: &Contestant, system: &System, rungs: &[Rung]) -> Opt
     }
     let rung = steady_rung(contestant, system, rungs, STEPS)?;
     let steps = rung.steps.min(STEPS);
-    let mut reversal = Reversal {
-        steps,
-        step: rung.step,
-        of_floor: f64::NAN,
-        quantity: Quantity::BodyPoint,
-        distance: f64::NAN,
-        solves: 0,
-        open: 0.0,
-    };
+    let mut reversal = Reversal { steps, step: rung.step, ..Reversal::default() };
     let Some(own) = there_and_back(contestant, system, rung.step, steps) else { return Some(reversal) };
     reversal.solves = own.solves;
-    // Twice as many steps, and their roundings, as in the run that the ladder's floor belongs to.
-    let mut floors = rung.floors.map(|floor| 2.0 * floor.max);
+    let spread = spread(contestant, system, rung.step, steps, &own);
+    let rounding = rounding(&spread, &sizes(system, &own.there), 2 * steps);
+    reversal.open = spread[Quantity::Orientation];
     let off = difference(&system.body, &own.back, &own.start);
-    if off.zip(floors).values().any(|(off, floor)| off > floor) {
-        // The run itself says better: where its steps amplify a rounding there and again on the way back, no other does.
-        let spread = spread(contestant, system, rung.step, steps, &own);
-        floors = floors.max(spread);
-        reversal.open = spread[Quantity::Orientation];
-    }
-    reversal.of_floor = 0.0;
-    for (quantity, (value, floor)) in off.zip(floors) {
-        let ratio = if value == 0.0 { 0.0 } else { value / floor };
-        if reversal.distance.is_nan() || ratio.is_nan() || ratio > reversal.of_floor {
-            (reversal.quantity, reversal.distance) = (quantity, value);
-        }
-        reversal.of_floor = larger(reversal.of_floor, ratio);
-    }
+    (reversal.of_rounding, reversal.worst) = worst(off, rounding);
     Some(reversal)
 }
 
@@ -91,13 +53,25 @@ fn there_and_back(contestant: &Contestant, system: &System, step: f64, steps: u6
     Some(Return { start, back, solves: there.outcome.solves, there: there.states })
 }
 
-/// How far ways there and back that start a few rounding units off end from `own`, at most.
+/// How far copies of a way there and back end from it, at most; a copy that breaks says nothing.
 fn spread(contestant: &Contestant, system: &System, step: f64, steps: u64, own: &Return) -> PerQuantity<f64> {
-    let mut largest = PerQuantity::all(0.0);
-    for system in shaken_starts(system, &own.there, SHAKEN) {
-        if let Some(other) = there_and_back(contestant, &system, step, steps) {
-            largest = largest.max(difference(&system.body, &other.back, &own.back));
-        }
-    }
-    largest
+    let starts = starts(system, &own.there, f64::EPSILON, false);
+    let copies = starts.iter().filter_map(|start| there_and_back(contestant, start, step, steps));
+    copies.fold(PerQuantity::all(0.0), |largest, copy| {
+        largest.max(difference(&system.body, &copy.back, &own.back))
+    })
+}
+
+/// The largest of the differences over their roundings, with the quantity that it belongs to and the difference; nothing where one is NaN.
+pub(super) fn worst(
+    off: PerQuantity<f64>,
+    rounding: PerQuantity<f64>,
+) -> (Option<f64>, Option<(Quantity, f64)>) {
+    let ratio = |(off, rounding): (f64, f64)| if off == 0.0 { 0.0 } else { off / rounding };
+    let of = off.zip(rounding).map(ratio);
+    let largest = of.values().copied().fold(0.0, larger);
+    let worst =
+        of.into_iter().max_by(|a, b| a.1.total_cmp(&b.1)).map(|(quantity, _)| (quantity, off[quantity]));
+    let finite = largest.is_finite();
+    (finite.then_some(largest), worst.filter(|_| finite))
 }

@@ -17,6 +17,7 @@ use nalgebra::Vector3;
 use super::{Rung, steady_rung};
 use crate::model::body::Shape;
 use crate::model::{Snapshot, Start, System};
+use crate::record::Symplecticity;
 use crate::rotation;
 use crate::simulate::{Contestant, Form, Plan};
 
@@ -24,17 +25,6 @@ use crate::simulate::{Contestant, Form, Plan};
 const TURN: f64 = 0.5;
 /// ε: displacements are this part of what changes Ω by itself. ε⁴ = 1e-12, and a rounding over ε is 2e-13.
 const DISPLACEMENT: f64 = 1e-3;
-
-/// What a step does to the two-form.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Symplecticity {
-    /// h [s].
-    pub step: f64,
-    /// Largest change of the form, over the action that one radian of the motion carries.
-    pub defect: f64,
-    /// Size of the directions in which it was differentiated, of a radian and of |L|: below one where the moments differ much.
-    pub unit: f64,
-}
 
 /// A displacement of a state, or the difference of two.
 #[derive(Clone, Copy, Debug)]

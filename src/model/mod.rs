@@ -18,7 +18,6 @@ mod falling;
 mod forced;
 pub mod forces;
 pub(crate) mod free;
-mod per_quantity;
 mod placed;
 mod point_cloud;
 pub(crate) mod retold;
@@ -33,16 +32,16 @@ use nalgebra::{Quaternion, Vector3};
 
 use crate::rotation::{self, Rotation};
 
+pub use crate::quantity::{PerQuantity, Quantity};
 pub(crate) use change::Change;
 pub(crate) use falling::Falling;
 pub(crate) use forced::Forced;
 pub use forced::Motion;
 pub(crate) use free::Free;
-pub use per_quantity::PerQuantity;
 pub(crate) use placed::Placed;
 pub(crate) use point_cloud::PointCloud;
 pub(crate) use rotor::Rotor;
-pub use snapshot::{Quantity, Snapshot, difference};
+pub use snapshot::{Snapshot, difference};
 pub(crate) use system::AnyModel;
 pub use system::{Rotational, Spin, Start, System, SystemError};
 

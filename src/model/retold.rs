@@ -1,11 +1,12 @@
-//! The same body told in another way: its points in another order, one of them as two, or its inertia in place of them. No motion
-//! knows the difference, so no scheme may.
+//! The same body told in another way: its points in another order, one of them as two, its inertia in place of them, or other body
+//! axes. No motion knows the difference, so no scheme may.
 
 use nalgebra::Vector3;
 
-use super::body::{Body, MassPoint, second_moment_inertia};
-use super::forces::{Attachment, Law, PerPoint};
+use super::body::{Body, MassPoint, Shape, second_moment_inertia};
+use super::forces::{Attachment, Forces, Law, PerPoint, TorqueAxes};
 use super::{Spin, System};
+use crate::rotation::Rotation;
 
 /// 2π (1 − 1/φ) [rad].
 const GOLDEN_ANGLE: f64 = 2.399_963_229_728_653;
@@ -95,6 +96,45 @@ pub fn by_inertia(system: &System) -> Option<System> {
     let pivot = body.pivoted.then_some(-body.center);
     let told = Body::from_inertia(body.mass, about_center, pivot, false).ok()?;
     started(system, told, laws.collect())
+}
+
+/// The same body in other body axes, turned by Q = `turn`: x' = Q x, I' = Q I Qᵀ, R' = R Qᵀ. Everything in world axes
+/// stays as it is.
+pub fn in_axes(system: &System, turn: &Rotation) -> System {
+    let mut new = system.clone();
+    let body = &mut new.body;
+    body.points.iter_mut().for_each(|point| point.position = turn * point.position);
+    body.center = turn * body.center;
+    let matrix = turn.to_rotation_matrix().into_inner();
+    let inertia = matrix * body.inertia * matrix.transpose();
+    body.inertia = (inertia + inertia.transpose()) * 0.5;
+    body.principal = turn * body.principal;
+    if let Shape::Rod { direction } = &mut body.shape {
+        *direction = turn * *direction;
+    }
+    new.start.orientation *= turn.inverse();
+    let laws = system.forces.laws().iter().cloned().map(|law| law_in_axes(law, turn));
+    new.forces = Forces::new(laws.collect(), &new.body);
+    new
+}
+
+/// A law whose vectors in body axes are turned; those in world axes stay.
+fn law_in_axes(mut law: Law, turn: &Rotation) -> Law {
+    match &mut law {
+        Law::Spring(spring) => {
+            if let Attachment::At(place) = &mut spring.attachment {
+                *place = turn * *place;
+            }
+        }
+        Law::Torque(torque) if torque.axes == TorqueAxes::Body => {
+            for amplitude in [&mut torque.constant, &mut torque.cosine, &mut torque.sine] {
+                *amplitude = turn * *amplitude;
+            }
+        }
+        Law::Dipole(dipole) => dipole.moment = turn * dipole.moment,
+        _ => {}
+    }
+    law
 }
 
 /// The points stand about the body's origin already: a pivot is there, and a free body's centre of mass to rounding.

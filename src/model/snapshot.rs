@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 
-use super::PerQuantity;
 use super::body::{Body, Shape};
+use crate::quantity::{PerQuantity, Quantity};
 use crate::rotation::{self, Rotation};
 
 /// A moment of a motion, the same for every model. World axes.
@@ -23,58 +23,6 @@ pub struct Snapshot {
     pub angular_momentum: Vector3<f64>,
     /// Largest change of a distance between points of the body, over its extent.
     pub stretch: f64,
-}
-
-/// A quantity whose error against the reference has an order.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Quantity {
-    /// X_cm [m].
-    Position,
-    /// U_cm [m/s].
-    Velocity,
-    /// Angle of the relative rotation [rad]; of the axis for a rod.
-    Orientation,
-    /// Ω [rad/s].
-    AngularVelocity,
-    /// L [kg m²/s].
-    AngularMomentum,
-    /// Largest error of a point of the body [m]: this one exists for every body.
-    BodyPoint,
-}
-
-impl Quantity {
-    /// All quantities, in the order of reports.
-    pub const ALL: [Quantity; 6] = [
-        Quantity::Position,
-        Quantity::Velocity,
-        Quantity::Orientation,
-        Quantity::AngularVelocity,
-        Quantity::AngularMomentum,
-        Quantity::BodyPoint,
-    ];
-
-    /// Name in records.
-    pub fn name(self) -> &'static str {
-        match self {
-            Quantity::Position => "position",
-            Quantity::Velocity => "velocity",
-            Quantity::Orientation => "orientation",
-            Quantity::AngularVelocity => "angular-velocity",
-            Quantity::AngularMomentum => "angular-momentum",
-            Quantity::BodyPoint => "body-point",
-        }
-    }
-
-    /// Unit of its error.
-    pub fn unit(self) -> &'static str {
-        match self {
-            Quantity::Position | Quantity::BodyPoint => "m",
-            Quantity::Velocity => "m/s",
-            Quantity::Orientation => "rad",
-            Quantity::AngularVelocity => "rad/s",
-            Quantity::AngularMomentum => "kg m²/s",
-        }
-    }
 }
 
 /// How far two moments of one body are apart, each quantity in its unit.

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::words::words;
+use crate::words::words;
 
 words! {
     /// What came of a run.
@@ -18,16 +18,18 @@ words! {
 }
 
 words! {
-    /// What a ladder says of an order.
+    /// What the runs of a scheme say of an order.
     OrderStatus {
-        /// A slope was fitted.
-        Fitted = "fitted",
-        /// Every error is at its floor.
+        /// An order is decided.
+        Decided = "decided",
+        /// Every error is at its rounding.
         Exact = "exact",
-        /// No three successive slopes agree.
+        /// The runs converge to another motion.
+        Elsewhere = "elsewhere",
+        /// The rule falls for no order.
         #[default]
-        Unsettled = "unsettled",
-        /// Too few errors stand clear of their floors.
+        Undecided = "undecided",
+        /// Too few errors stand clear of rounding.
         TooFew = "too-few",
         /// The finest run broke.
         Broken = "broken",
@@ -82,31 +84,37 @@ pub struct Measurement {
     pub nanoseconds_per_step: Option<f64>,
 }
 
-/// The fitted order of convergence of one quantity.
+/// The order of convergence of one quantity.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Order {
     /// Scene.
     pub scene: String,
     /// Scheme.
     pub scheme: String,
-    /// Quantity with the place it is taken at: `orientation-end`, `position-max`, …
+    /// Quantity: `orientation`, `position`, …
     pub quantity: String,
-    /// Least-squares slope of log error against log step; `None` where no window was found.
+    /// log₂ of the ratio of two errors that decide the order; `None` where none is decided.
     pub order: Option<f64>,
-    /// Lower end of its 95 % confidence interval.
+    /// Lower bound of it, p − log₂(1 + r).
     pub low: Option<f64>,
-    /// Upper end of its 95 % confidence interval.
+    /// Upper bound of it, p − log₂(1 − r).
     pub high: Option<f64>,
-    /// Leading error constant C = e/hᵖ with the claimed order p, in `unit`/sᵖ.
+    /// ‖e_k − 2ᵖ e_{k+1}‖/‖e_k‖ of the runs that decide it.
+    #[serde(default)]
+    pub r: Option<f64>,
+    /// The latest time that is decided [s].
+    #[serde(default)]
+    pub until_s: Option<f64>,
+    /// Leading error constant C = e/hᵖ for h → 0, in `unit`/sᵖ.
     pub constant: Option<f64>,
-    /// Rungs of the ladder inside the fitted window.
+    /// Runs that decide it.
     pub rungs_used: usize,
-    /// Rungs left out: near the floor, before the asymptotic range, or broken.
+    /// Runs left out: at rounding, before the asymptotic range, or broken.
     pub rungs_dropped: usize,
-    /// The steps inside the fitted window [s].
+    /// The steps of the runs that decide it [s].
     #[serde(default)]
     pub steps_used_s: Vec<f64>,
-    /// Errors below this are rounding or reference error, in `unit`.
+    /// Errors below this do not count at the finest step: rounding and the uncertainty of the truth, in `unit`.
     #[serde(default)]
     pub floor: Option<f64>,
     /// Unit of the error.
@@ -115,7 +123,7 @@ pub struct Order {
     /// What the ladder says.
     #[serde(default)]
     pub status: OrderStatus,
-    /// Reason, where no slope was fitted.
+    /// Reason, where no order is decided.
     #[serde(default)]
     pub why: Option<String>,
 }
@@ -133,9 +141,9 @@ pub struct Drift {
     pub class: DriftClass,
     /// For a secular drift: order in the step of its rate.
     pub rate_order: Option<f64>,
-    /// Lower end of the 95 % confidence interval of `rate_order`.
+    /// Lower bound of `rate_order`.
     pub low: Option<f64>,
-    /// Upper end of the 95 % confidence interval of `rate_order`.
+    /// Upper bound of `rate_order`.
     pub high: Option<f64>,
     /// Rate at the finest step that still shows one, in `unit`/s.
     pub rate: Option<f64>,

@@ -1,12 +1,13 @@
 //! What a campaign measured, as rows that are written to and read from disk.
 //!
-//! This module depends on nothing else of Polhode: whoever holds a `records.json` needs only these types to
-//! read it. Every number carries its unit and its uncertainty. A value that does not exist is `None`
+//! This module depends on nothing of Polhode but the names of quantities and claims: these types are all that a reader of
+//! `records.json` needs. Every number carries its unit and its uncertainty. A value that does not exist is `None`
 //! (`null` on disk), never a NaN.
 
 pub mod stability;
 mod cost;
 mod engines;
+mod evidence;
 mod findings;
 mod published;
 mod subjects;
@@ -15,7 +16,6 @@ mod tables;
 mod verdict;
 #[cfg(feature = "cli")]
 mod whole;
-mod words;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -23,14 +23,16 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+pub use crate::claim::ClaimName;
 pub use cost::{CostRow, Grows, ScalingRow};
 pub use engines::{EngineRow, PeerRow, Twin};
+pub use evidence::*;
 pub use findings::{Drift, DriftClass, Measurement, Order, OrderStatus, RunStatus, Series};
 pub use published::{Agreement, PublishedRow, Sureness, last_digit};
 pub use subjects::{ReferenceRow, SceneRow, SchemeRow};
 #[cfg(feature = "cli")]
 pub use tables::{write_csv, write_json};
-pub use verdict::{ClaimName, Ruling, Verdict};
+pub use verdict::{Ruling, Verdict};
 #[cfg(feature = "cli")]
 pub(crate) use whole::{WholeFile, write_whole};
 
@@ -64,6 +66,12 @@ pub struct Records {
     /// One row a scene, scheme and conserved quantity: how it drifts.
     #[serde(default)]
     pub drifts: Vec<Drift>,
+    /// One row a scene and scheme: what the gates read.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub evidence: Vec<Arc<Evidence>>,
+    /// One row a scene: its reference, as the gates read it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub references: Vec<ReferenceEvidence>,
     /// One row a claim that was judged.
     pub verdicts: Vec<Verdict>,
     /// What a step costs, one row a scheme and work.
@@ -132,6 +140,7 @@ impl Records {
         self.measurements.extend(other.measurements);
         self.orders.extend(other.orders);
         self.drifts.extend(other.drifts);
+        self.evidence.extend(other.evidence);
         self.series.extend(other.series);
         self.costs.extend(other.costs);
         self.scaling.extend(other.scaling);
@@ -156,6 +165,7 @@ impl Records {
         kept.measurements.retain(|row| keep(&row.scheme));
         kept.orders.retain(|row| keep(&row.scheme));
         kept.drifts.retain(|row| keep(&row.scheme));
+        kept.evidence.retain(|row| keep(&row.scheme));
         kept.verdicts.retain(|row| keep(&row.scheme));
         kept.series.retain(|row| keep(&row.scheme));
         kept.costs.retain(|row| keep(&row.scheme));
@@ -175,5 +185,23 @@ impl Records {
             return Err(format(format!("schema is \"{}\", expected \"{SCHEMA}\"", records.schema)));
         }
         Ok(records)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ClaimName, DriftClass, OrderStatus, Ruling, RunStatus};
+
+    #[test]
+    fn a_file_has_the_word_of_a_value() {
+        let text = |json: serde_json::Result<String>| json.expect("JSON");
+        for claim in ClaimName::ALL {
+            assert_eq!(text(serde_json::to_string(&claim)), format!("\"{claim}\""));
+        }
+        assert_eq!(text(serde_json::to_string(&Ruling::NotApplicable)), "\"not-applicable\"");
+        assert_eq!(text(serde_json::to_string(&RunStatus::Broken)), "\"broken\"");
+        assert_eq!(serde_json::from_str::<OrderStatus>("\"too-few\"").ok(), Some(OrderStatus::TooFew));
+        assert_eq!(serde_json::from_str::<DriftClass>("\"secular\"").ok(), Some(DriftClass::Secular));
+        assert!(serde_json::from_str::<ClaimName>("\"no-such-claim\"").is_err());
     }
 }

@@ -8,8 +8,8 @@ use std::sync::LazyLock;
 
 use serde::{Deserialize, Serialize};
 
-use super::words::words;
 use super::{Machine, RecordError};
+use crate::words::words;
 
 words! {
     /// What a usable step means.

@@ -7,6 +7,9 @@ use serde::{Deserialize, Serialize};
 pub struct SceneRow {
     /// Name, kebab-case.
     pub name: String,
+    /// Fingerprint of body, forces, start and duration.
+    #[serde(default)]
+    pub content: String,
     /// One line.
     pub title: String,
     /// Why the scene is in the list.

@@ -153,7 +153,12 @@ pub(super) fn label(records: &Records, scheme: &str) -> String {
 /// What the section is made from, without the runs behind its pictures, which are ten times as much.
 pub(super) fn kept(records: &Records) -> Records {
     let quantity = |scene: &str| super::ranking::quantity(records, scene);
-    let orders = records.orders.iter().filter(|row| row.quantity == quantity(&row.scene)).cloned().collect();
+    let orders = records
+        .orders
+        .iter()
+        .filter(|row| row.quantity == survey::base(quantity(&row.scene)))
+        .cloned()
+        .collect();
     let brief = Records { measurements: Vec::new(), series: Vec::new(), ..records.clone() };
     Records { verdicts: Vec::new(), drifts: Vec::new(), orders, ..brief }
 }

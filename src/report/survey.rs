@@ -145,20 +145,25 @@ pub(super) fn claimed_order(records: &Records, scheme: &str) -> Option<u32> {
     records.schemes.iter().find(|row| row.name == scheme).map(|row| row.order).filter(|order| *order > 0)
 }
 
-/// The fitted order of a scene, scheme and quantity.
+/// The order of a scene, scheme and quantity; a place that it is taken at is left out.
 pub(super) fn order<'a>(
     records: &'a Records,
     scene: &str,
     scheme: &str,
     quantity: &str,
 ) -> Option<&'a Order> {
-    let same = |row: &&Order| row.scene == scene && row.scheme == scheme && row.quantity == quantity;
+    let same = |row: &&Order| row.scene == scene && row.scheme == scheme && row.quantity == base(quantity);
     records.orders.iter().find(same)
 }
 
-/// True where a step belongs to the window that an order was fitted in.
+/// A metric without the place that it is taken at: that of `orientation-end` is `orientation`.
+pub(super) fn base(metric: &str) -> &str {
+    metric.trim_end_matches("-end").trim_end_matches("-max")
+}
+
+/// True where a step belongs to the runs that decide an order.
 pub(super) fn in_window(order: &Order, step_s: f64) -> bool {
-    order.status == OrderStatus::Fitted
+    order.status == OrderStatus::Decided
         && order.steps_used_s.iter().any(|used| (used - step_s).abs() <= 1e-9 * step_s.abs())
 }
 
@@ -170,7 +175,7 @@ pub(super) fn file_stem(name: &str) -> String {
 
 /// A quantity in words, without the place that it is taken at: `angular velocity`.
 pub(super) fn quantity_words(quantity: &str) -> String {
-    quantity.trim_end_matches("-end").trim_end_matches("-max").replace('-', " ")
+    base(quantity).replace('-', " ")
 }
 
 /// A text with a capital first letter.

@@ -81,6 +81,16 @@ impl Scene {
         })
     }
 
+    /// A fingerprint of all that determines the motion: body, forces, start and duration. A copy under another name has the same one.
+    pub fn content(&self) -> String {
+        let text = format!("{:?} {:?}", self.system, self.duration);
+        // FNV-1a: Fowler, Noll, Vo.
+        let hash = text.bytes().fold(0xcbf2_9ce4_8422_2325u64, |hash, byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+        });
+        format!("{hash:016x}")
+    }
+
     /// The built-in scene of this name, or the scene in the file at this path: a path has a '/', ends in .toml
     /// or is an existing file.
     ///

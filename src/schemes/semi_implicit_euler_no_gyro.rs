@@ -24,6 +24,7 @@ impl TurningScheme for SemiImplicitEulerNoGyro {
         family: "engines",
         source: "catto2015",
         claims: &[
+            Claim::SolvesAnotherMotion,
             Claim::Exact(Quantity::Velocity, When::ConstantForce),
             Claim::Exact(Quantity::Position, When::NoForce),
             Claim::Rigid,

@@ -1,9 +1,7 @@
 //! Judges that are wrong in one way each: every one must be told from the right one by a ladder.
 
 use super::ladders::{Row, Rungs, TABLE, judge};
-use crate::measure::regression::fit_power;
-use crate::measure::{Place, QuantityLadder};
-use crate::model::Quantity;
+use crate::measure::slope;
 use crate::record::Ruling;
 
 /// Says something of a ladder and a claimed order.
@@ -27,7 +25,7 @@ impl WrongJudge {
 const BAND: f64 = 0.15;
 
 fn slopes(rungs: &[(f64, f64, f64)]) -> Vec<f64> {
-    rungs.windows(2).map(|w| (w[0].1 / w[1].1).ln() / (w[0].0 / w[1].0).ln()).collect()
+    rungs.windows(2).map(|w| (w[0].1 / w[1].1).abs().log2()).collect()
 }
 
 fn within(slope: f64, order: f64, band: f64) -> Ruling {
@@ -43,9 +41,9 @@ fn right(rungs: &[(f64, f64, f64)], order: f64) -> Ruling {
     judge(rungs, order as u32)
 }
 
-/// The slope and its interval over the window that the right judge finds.
-fn fitted(rungs: &[(f64, f64, f64)]) -> Option<crate::measure::regression::Fit> {
-    QuantityLadder::of(Quantity::BodyPoint, Place::End, rungs.to_vec(), 1).fit()
+/// The least-squares slope over all rungs.
+fn fitted(rungs: &[(f64, f64, f64)]) -> f64 {
+    slope(&rungs.iter().map(|(h, error, _)| (h.ln(), error.abs().ln())).collect::<Vec<_>>())
 }
 
 fn with_floor(rungs: &[(f64, f64, f64)], floor: fn(f64) -> f64) -> Rungs {
@@ -69,45 +67,31 @@ pub const WRONG_JUDGES: &[WrongJudge] = &[
         judge: |rungs, order| within(slopes(rungs).into_iter().fold(f64::NAN, f64::min), order, BAND),
     },
     WrongJudge {
-        name: "takes the mean of log2 whatever the ratio of steps",
-        judge: |rungs, order| {
-            let logs: Vec<f64> = rungs.windows(2).map(|w| (w[0].1 / w[1].1).log2()).collect();
-            within(mean(&logs), order, BAND)
-        },
-    },
-    WrongJudge {
-        name: "has a band of 0.35",
-        judge: |rungs, order| match (fitted(rungs), right(rungs, order)) {
-            (Some(fit), _) => within(fit.slope, order, 0.35),
-            (None, other) => other,
-        },
-    },
-    WrongJudge {
-        name: "looks at no interval",
-        judge: |rungs, order| match (fitted(rungs), right(rungs, order)) {
-            (Some(fit), _) => within(fit.slope, order, BAND),
-            (None, other) => other,
-        },
-    },
-    WrongJudge {
-        name: "passes every slope above the band",
-        judge: |rungs, order| match (fitted(rungs), right(rungs, order)) {
-            (Some(fit), _) if fit.low > order + BAND => Ruling::Pass,
-            (_, other) => other,
-        },
-    },
-    WrongJudge {
-        name: "passes where the interval touches the band",
-        judge: |rungs, order| match (fitted(rungs), right(rungs, order)) {
-            (Some(fit), _) if fit.low <= order + BAND && fit.high >= order - BAND => Ruling::Pass,
-            (_, other) => other,
-        },
+        name: "has a band of 0.35 about the slope of all rungs",
+        judge: |rungs, order| within(fitted(rungs), order, 0.35),
     },
     WrongJudge {
         name: "fits a line through every rung",
+        judge: |rungs, order| within(fitted(rungs), order, BAND),
+    },
+    WrongJudge {
+        name: "passes every slope above the band",
         judge: |rungs, order| {
-            let points: Vec<_> = rungs.iter().map(|r| (r.0, r.1)).collect();
-            fit_power(&points).map_or(Ruling::Inconclusive, |fit| within(fit.slope, order, BAND))
+            if fitted(rungs) >= order - BAND { Ruling::Pass } else { right(rungs, order) }
+        },
+    },
+    WrongJudge {
+        name: "compares lengths, which have no sign",
+        judge: |rungs, order| {
+            let lengths: Rungs = rungs.iter().map(|(h, error, off)| (*h, error.abs(), *off)).collect();
+            right(&lengths, order)
+        },
+    },
+    WrongJudge {
+        name: "knows no other limit than the truth",
+        judge: |rungs, order| match (right(rungs, order), fitted(rungs)) {
+            (Ruling::Fail, slope) if slope.abs() < 0.5 => Ruling::Inconclusive,
+            (other, _) => other,
         },
     },
     WrongJudge {
@@ -118,9 +102,9 @@ pub const WRONG_JUDGES: &[WrongJudge] = &[
         name: "takes the two finest rungs",
         judge: |rungs, order| slopes(rungs).last().map_or(Ruling::Broken, |s| within(*s, order, BAND)),
     },
-    WrongJudge { name: "knows no floor", judge: |rungs, order| right(&with_floor(rungs, |_| 0.0), order) },
+    WrongJudge { name: "knows no rounding", judge: |rungs, order| right(&with_floor(rungs, |_| 0.0), order) },
     WrongJudge {
-        name: "takes 1e-6 for the floor of everything",
+        name: "takes 1e-6 for the rounding of everything",
         judge: |rungs, order| right(&with_floor(rungs, |floor| floor.max(1e-6)), order),
     },
     WrongJudge {
@@ -174,13 +158,6 @@ pub const WRONG_JUDGES: &[WrongJudge] = &[
         judge: |rungs, order| {
             let any = (4..=rungs.len()).any(|end| right(&rungs[..end], order) == Ruling::Pass);
             if any { Ruling::Pass } else { right(rungs, order) }
-        },
-    },
-    WrongJudge {
-        name: "holds a slope against the order before it has come down to it",
-        judge: |rungs, order| match (fitted(rungs), right(rungs, order)) {
-            (Some(fit), _) if fit.low > order + BAND || fit.high < order - BAND => Ruling::Fail,
-            (_, other) => other,
         },
     },
 ];

@@ -1,10 +1,9 @@
 //! Metrics that read something else than an error. A right scheme runs and a right gate judges what they say.
 
-use nalgebra::Vector3;
-
 use super::planted::{Measure, Plant, Row};
-use crate::measure::{Evidence, QuantityLadder, Reading, Rung};
-use crate::model::{PerQuantity, Quantity, Snapshot, System, difference};
+use crate::measure::{Climbed, between};
+use crate::model::{PerQuantity, Quantity, Snapshot, System};
+use crate::record::{self, length};
 use crate::reference::Reference;
 use crate::simulate::{Contestant, Form, Plan};
 
@@ -12,149 +11,177 @@ const FREE: &[&str] = &["free-asymmetric", "fast-sphere", "free-rod", "tether-sp
 
 const SLOW: &[&str] = &["satellite-gravity-gradient"];
 
+/// A run at the sample times, the truth there, and the right error vectors.
+pub(super) struct Seen<'a> {
+    system: &'a System,
+    run: &'a [Snapshot],
+    truth: &'a [Snapshot],
+    right: &'a PerQuantity<Vec<f64>>,
+}
+
 /// Wrong metrics.
 pub(super) const METRICS: &[Row] = &[
-    ("angle by 2 acos |w|", Plant::Metric(|s, a, b| over(a, b, |a, b| acos(s, a, b))), FREE),
+    ("angle by 2 acos |w|", Plant::Metric(acos), FREE),
+    ("angle in degrees", Plant::Metric(|s| s.scaled(Quantity::Orientation, 57.295_779_513_082_32)), FREE),
+    ("angle of the half quaternion", Plant::Metric(|s| s.scaled(Quantity::Orientation, 0.5)), FREE),
+    ("the largest so far for each", Plant::Metric(largest_so_far), FREE),
+    ("the last for all", Plant::Metric(|s| s.from_samples(|all, _| all[all.len() - 1].to_vec())), FREE),
+    ("the mean for all", Plant::Metric(mean), FREE),
     (
-        "angle in degrees",
-        Plant::Metric(|s, a, b| over(a, b, |a, b| scaled(s, a, b, 57.295_779_513_082_32))),
+        "the reference one sample late",
+        Plant::Metric(|s| s.between(|run| late(run), <[Snapshot]>::to_vec)),
         FREE,
     ),
-    ("angle of the half quaternion", Plant::Metric(|s, a, b| over(a, b, |a, b| scaled(s, a, b, 0.5))), FREE),
-    ("the largest told as the last", Plant::Metric(largest_as_last), FREE),
-    ("the last told as the largest", Plant::Metric(last_as_largest), FREE),
-    ("the mean told as the largest", Plant::Metric(mean_as_largest), FREE),
-    ("the reference one sample late", Plant::Metric(|s, a, b| plain(s, &a[1..], b)), FREE),
-    ("the run one sample late", Plant::Metric(|s, a, b| plain(s, a, &b[1..])), FREE),
-    ("the last sample left out", Plant::Metric(|s, a, b| plain(s, &a[..a.len() - 1], b)), FREE),
-    ("the first half of the run alone", Plant::Metric(|s, a, b| plain(s, &a[..a.len() / 2], b)), FREE),
+    (
+        "the run one sample late",
+        Plant::Metric(|s| s.between(<[Snapshot]>::to_vec, |truth| late(truth))),
+        FREE,
+    ),
+    (
+        "the last sample left out",
+        Plant::Metric(|s| s.from_samples(|all, index| all[index.min(all.len() - 2)].to_vec())),
+        FREE,
+    ),
+    (
+        "the first half of the run alone",
+        Plant::Metric(|s| s.from_samples(|all, index| all[index.min(all.len() / 2)].to_vec())),
+        FREE,
+    ),
     (
         "components for lengths",
-        Plant::Metric(|s, a, b| over(a, b, |a, b| components(s, a, b))),
-        &["tether-springs", "gravity-drag"],
-    ),
-    ("an absolute threshold of 1e-6", Plant::Metric(|s, a, b| over(a, b, |a, b| thresholded(s, a, b))), SLOW),
-    (
-        "squares of errors",
-        Plant::Metric(|s, a, b| over(a, b, |a, b| difference(&s.body, a, b).map(|e| e * e))),
-        FREE,
-    ),
-    (
-        "NaN taken for no error",
-        Plant::Metric(|s, a, b| {
-            over(a, b, |a, b| {
-                difference(&s.body, a, b).map(|e| if e > 1e-3 { f64::NAN } else { 0.0 }.max(0.0))
+        Plant::Metric(|s| {
+            s.each(|_, vector| {
+                vector.iter().enumerate().map(|(i, x)| if i == 0 { *x } else { 0.0 }).collect()
             })
         }),
-        FREE,
+        &["tether-springs", "gravity-drag"],
     ),
     (
-        "quantities in another order",
-        Plant::Metric(|s, a, b| {
-            let mut r = plain(s, a, b);
-            let (angle, spin) = (r[Quantity::Orientation], r[Quantity::AngularVelocity]);
-            (r[Quantity::Orientation], r[Quantity::AngularVelocity]) = (spin, angle);
-            r
+        "an absolute threshold of 1e-6",
+        Plant::Metric(|s| {
+            s.each(|_, vector| if length(vector) < 1e-6 { vec![0.0; vector.len()] } else { vector.to_vec() })
         }),
+        SLOW,
+    ),
+    (
+        "squares of errors",
+        Plant::Metric(|s| s.each(|_, vector| vector.iter().map(|x| x * length(vector)).collect())),
         FREE,
     ),
+    ("NaN taken for no error", Plant::Metric(|s| s.each(|_, vector| vec![0.0; vector.len()])), FREE),
+    ("quantities in another order", Plant::Metric(swapped), FREE),
     ("position relative to the path", Plant::Metric(relative_to_path), &["tether-springs", "gravity-drag"]),
-    ("run compared with itself", Plant::Metric(|s, a, _| plain(s, a, a)), FREE),
+    ("run compared with itself", Plant::Metric(|s| s.between(|run| run.to_vec(), |_| Vec::new())), FREE),
 ];
 
-fn over(
-    run: &[Snapshot],
-    truth: &[Snapshot],
-    apart: impl Fn(&Snapshot, &Snapshot) -> PerQuantity<f64>,
-) -> PerQuantity<Reading> {
-    let mut readings = PerQuantity::all(Reading { end: 0.0, max: 0.0 });
-    for (state, truth) in run.iter().zip(truth) {
-        let apart = readings.zip(apart(state, truth));
-        readings = apart.map(|(reading, end)| Reading { end, max: reading.max.max(end) });
+type Vectors = PerQuantity<Vec<f64>>;
+
+impl Seen<'_> {
+    /// A change of the vector at each sample time.
+    fn each(&self, change: impl Fn(Quantity, &[f64]) -> Vec<f64>) -> Vectors {
+        PerQuantity::of(|quantity| {
+            let right = &self.right[quantity];
+            let parts = (right.len() / self.truth.len()).max(1);
+            right.chunks(parts).flat_map(|vector| change(quantity, vector)).collect()
+        })
     }
-    readings
+
+    /// The vector of each sample time from those of all.
+    fn from_samples(&self, change: impl Fn(&[&[f64]], usize) -> Vec<f64>) -> Vectors {
+        PerQuantity::of(|quantity| {
+            let right = &self.right[quantity];
+            let all: Vec<&[f64]> = right.chunks((right.len() / self.truth.len()).max(1)).collect();
+            (0..all.len()).flat_map(|index| change(&all, index)).collect()
+        })
+    }
+
+    fn scaled(&self, scaled: Quantity, factor: f64) -> Vectors {
+        self.each(|quantity, vector| {
+            let factor = if quantity == scaled { factor } else { 1.0 };
+            vector.iter().map(|x| factor * x).collect()
+        })
+    }
+
+    /// The run against the truth, both changed; against the run itself where there is no truth.
+    fn between(
+        &self,
+        run: impl Fn(&[Snapshot]) -> Vec<Snapshot>,
+        truth: impl Fn(&[Snapshot]) -> Vec<Snapshot>,
+    ) -> Vectors {
+        let (run, truth) = (run(self.run), truth(self.truth));
+        between(&self.system.body, &run, if truth.is_empty() { &run } else { &truth })
+    }
 }
 
-fn plain(system: &System, run: &[Snapshot], truth: &[Snapshot]) -> PerQuantity<Reading> {
-    over(run, truth, |a, b| difference(&system.body, a, b))
+/// Every state a sample late.
+fn late(states: &[Snapshot]) -> Vec<Snapshot> {
+    states.iter().take(1).chain(states).take(states.len()).copied().collect()
 }
 
-/// The angle times a factor.
-fn scaled(system: &System, a: &Snapshot, b: &Snapshot, factor: f64) -> PerQuantity<f64> {
-    let mut apart = difference(&system.body, a, b);
-    apart[Quantity::Orientation] *= factor;
-    apart
+fn acos(seen: &Seen) -> Vectors {
+    let mut vectors = seen.right.clone();
+    let parts = (vectors[Quantity::Orientation].len() / seen.truth.len()).max(1);
+    let pairs = seen.run.iter().zip(seen.truth);
+    for ((a, b), vector) in pairs.zip(vectors[Quantity::Orientation].chunks_mut(parts)) {
+        let angle = 2.0 * (a.orientation.inverse() * b.orientation).w.abs().min(1.0).acos();
+        let right = length(vector);
+        vector.iter_mut().for_each(|x| *x *= if right > 0.0 { angle / right } else { 0.0 });
+    }
+    vectors
 }
 
-fn acos(system: &System, a: &Snapshot, b: &Snapshot) -> PerQuantity<f64> {
-    let mut apart = difference(&system.body, a, b);
-    apart[Quantity::Orientation] = 2.0 * (a.orientation.inverse() * b.orientation).w.abs().min(1.0).acos();
-    apart
-}
-
-fn largest_as_last(system: &System, run: &[Snapshot], truth: &[Snapshot]) -> PerQuantity<Reading> {
-    plain(system, run, truth).map(|reading| Reading { end: reading.max, ..reading })
-}
-
-fn last_as_largest(system: &System, run: &[Snapshot], truth: &[Snapshot]) -> PerQuantity<Reading> {
-    plain(system, run, truth).map(|reading| Reading { max: reading.end, ..reading })
-}
-
-fn mean_as_largest(system: &System, run: &[Snapshot], truth: &[Snapshot]) -> PerQuantity<Reading> {
-    let readings = plain(system, run, truth);
-    PerQuantity::of(|quantity| {
-        let apart = run.iter().zip(truth).map(|(a, b)| difference(&system.body, a, b)[quantity]);
-        Reading { max: apart.sum::<f64>() / run.len() as f64, ..readings[quantity] }
+fn largest_so_far(seen: &Seen) -> Vectors {
+    seen.from_samples(|all, index| {
+        let so_far = all[..=index].iter().max_by(|a, b| length(a).total_cmp(&length(b)));
+        so_far.map_or_else(Vec::new, |vector| vector.to_vec())
     })
 }
 
-fn components(system: &System, a: &Snapshot, b: &Snapshot) -> PerQuantity<f64> {
-    let mut apart = difference(&system.body, a, b);
-    let largest = |a: Vector3<f64>, b: Vector3<f64>| (a - b).x.abs();
-    apart[Quantity::Position] = largest(a.position, b.position);
-    apart[Quantity::Velocity] = largest(a.velocity, b.velocity);
-    apart
+fn mean(seen: &Seen) -> Vectors {
+    seen.from_samples(|all, _| {
+        let sum = |part: usize| all.iter().map(|vector| vector[part]).sum::<f64>();
+        (0..all[0].len()).map(|part| sum(part) / all.len() as f64).collect()
+    })
 }
 
-fn thresholded(system: &System, a: &Snapshot, b: &Snapshot) -> PerQuantity<f64> {
-    difference(&system.body, a, b).map(|error| if error < 1e-6 { 0.0 } else { error })
+/// The spin has the size of the angle, and the angle that of the spin.
+fn swapped(seen: &Seen) -> Vectors {
+    let mut vectors = seen.right.clone();
+    let (angle, spin) = (Quantity::Orientation, Quantity::AngularVelocity);
+    for (own, other) in [(angle, spin), (spin, angle)] {
+        let (size, wanted) = (length(&seen.right[own]), length(&seen.right[other]));
+        vectors[own].iter_mut().for_each(|x| *x *= if size > 0.0 { wanted / size } else { 1.0 });
+    }
+    vectors
 }
 
-fn relative_to_path(system: &System, run: &[Snapshot], truth: &[Snapshot]) -> PerQuantity<Reading> {
-    let mut readings = plain(system, run, truth);
-    let path = truth.iter().map(|s| s.position.norm()).fold(0.0, f64::max);
-    let Reading { end, max } = readings[Quantity::Position];
-    readings[Quantity::Position] = Reading { end: end / path, max: max / path };
-    readings
+fn relative_to_path(seen: &Seen) -> Vectors {
+    let path = seen.truth.iter().map(|s| s.position.norm()).fold(0.0, f64::max);
+    seen.scaled(Quantity::Position, 1.0 / path)
 }
 
-/// The evidence of a ladder with its errors measured wrongly.
+/// The ladder with its errors measured wrongly.
 pub(super) fn mismeasured(
     contestant: &Contestant,
     system: &System,
     reference: &Reference,
-    order: u32,
-    mut evidence: Evidence,
+    climbed: &Climbed,
     measure: Measure,
-) -> Evidence {
-    let (duration, samples) = (reference.times[reference.times.len() - 1], reference.times.len() as u64 - 1);
-    for rung in evidence.rungs.iter_mut().chain(&mut evidence.giant_steps) {
-        let plan = Plan::over(duration, rung.steps, samples.min(rung.steps));
-        let states = contestant.run(system, Form::Least, &plan).states;
-        let truth = if rung.steps < samples { ends(&reference.states) } else { reference.states.clone() };
-        let states = if rung.steps < samples { ends(&states) } else { states };
-        rung.errors = measure(system, &states, &truth);
+) -> record::Ladder {
+    let mut ladder = climbed.ladder.clone();
+    let duration = reference.times[reference.times.len() - 1];
+    let intervals = (duration / ladder.times[0]).round() as u64;
+    let at = |states: &[Snapshot]| -> Vec<Snapshot> {
+        let every = (states.len() - 1) as f64 / duration;
+        ladder.times.iter().map(|time| states[(time * every).round() as usize]).collect()
+    };
+    let truth = at(&reference.states);
+    let mut changed = ladder.rungs.clone();
+    for rung in changed.iter_mut().filter(|rung| rung.broken.is_none()) {
+        let states = contestant.run(system, Form::Least, &Plan::over(duration, rung.steps, intervals)).states;
+        rung.errors = measure(&Seen { system, run: &at(&states), truth: &truth, right: &rung.errors });
     }
-    for ladder in &mut evidence.ladders {
-        let rungs = evidence.rungs.iter().zip(&ladder.rungs);
-        let error = |run: &Rung| ladder.place.of(&run.errors[ladder.quantity]);
-        let rungs = rungs.map(|(run, rung)| (rung.0, error(run), rung.2)).collect();
-        *ladder = QuantityLadder::of(ladder.quantity, ladder.place, rungs, order);
-    }
-    evidence
-}
-
-/// The first and the last of some states.
-fn ends(states: &[Snapshot]) -> Vec<Snapshot> {
-    states.first().into_iter().chain(states.last()).copied().collect()
+    ladder.rungs = changed;
+    ladder.odd.clear();
+    ladder
 }

@@ -4,7 +4,6 @@
 use nalgebra::Vector3;
 
 use crate::claim::Claim;
-use crate::measure::Reading;
 use crate::model::forces::{Forces, Law, TorqueAxes};
 use crate::model::{PerQuantity, Snapshot, System};
 use crate::reference::Reference;
@@ -25,12 +24,12 @@ pub(super) enum Plant {
     Claims(&'static str, &'static [Claim]),
     /// The reference is another motion.
     Reference(fn(&mut Reference)),
-    /// Errors are measured wrongly: the six of a run and its reference, at one place.
+    /// Errors are measured wrongly.
     Metric(Measure),
 }
 
-/// Errors of a run against its reference, at the end and at most.
-pub(super) type Measure = fn(&System, &[Snapshot], &[Snapshot]) -> PerQuantity<Reading>;
+/// Error vectors of a run, measured wrongly.
+pub(super) type Measure = fn(&super::measured::Seen) -> PerQuantity<Vec<f64>>;
 
 /// A defect outside the scheme: its name, how it is planted, and the scenes that show it.
 pub(super) type Row = (&'static str, Plant, &'static [&'static str]);

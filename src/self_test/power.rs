@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use rayon::prelude::*;
 
 use super::random::{Tally, cause, weight};
-use crate::campaign::{Campaign, Controls};
+use crate::campaign::Campaign;
 use crate::claim::Claim;
 use crate::gates::Baseline;
 use crate::interrupt;
@@ -111,17 +111,14 @@ fn contestants() -> Vec<Contestant> {
 
 /// Judges wrong orders in the first `count` random scenes of a seed.
 pub fn run(seed: u64, count: u64) -> Vec<Row> {
-    let (contestants, controls) = (contestants(), Controls::default());
+    let contestants = contestants();
     let judged: Vec<(u64, Vec<Verdict>)> = (0..count)
         .into_par_iter()
         .filter(|_| !interrupt::requested())
         .filter_map(|number| Some((number, random::scene(seed, number).ok()?)))
         .map(|(number, scene)| {
-            let campaign = Campaign {
-                baseline: Baseline::default(),
-                controls: controls.clone(),
-                ..Campaign::of(vec![scene], contestants.clone())
-            };
+            let campaign =
+                Campaign { baseline: Baseline::default(), ..Campaign::of(vec![scene], contestants.clone()) };
             (number, campaign.run().verdicts)
         })
         .collect();

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
-use crate::campaign::{Campaign, Controls};
+use crate::campaign::Campaign;
 use crate::interrupt;
 use crate::record::{ClaimName, Ruling, Verdict};
 use crate::scenes::random;
@@ -151,11 +151,11 @@ pub(super) fn cause(verdict: &Verdict) -> String {
 
 /// Judges [`SCHEMES`] in the first `count` random scenes of a seed. `progress` is called as (done, of all).
 pub fn run(seed: u64, count: u64, progress: &(dyn Fn(usize, usize) + Sync)) -> Findings {
-    let (done, controls) = (AtomicUsize::new(0), Controls::default());
+    let done = AtomicUsize::new(0);
     let judged: Vec<Option<Vec<Verdict>>> = (0..count)
         .into_par_iter()
         .map(|number| {
-            let verdicts = (!interrupt::requested()).then(|| judge(seed, number, &controls));
+            let verdicts = (!interrupt::requested()).then(|| judge(seed, number));
             progress(done.fetch_add(1, Ordering::Relaxed) + 1, count as usize);
             verdicts.filter(|_| !interrupt::requested())
         })
@@ -170,7 +170,7 @@ pub fn run(seed: u64, count: u64, progress: &(dyn Fn(usize, usize) + Sync)) -> F
 }
 
 /// The verdicts on the schemes in one scene; a text that is no scene counts against the generator.
-fn judge(seed: u64, number: u64, controls: &Controls) -> Vec<Verdict> {
+fn judge(seed: u64, number: u64) -> Vec<Verdict> {
     let scene = match random::scene(seed, number) {
         Ok(scene) => scene,
         Err(error) => {
@@ -182,5 +182,5 @@ fn judge(seed: u64, number: u64, controls: &Controls) -> Vec<Verdict> {
     let all = Contestant::all();
     let named = |name: &&str| all.iter().find(|contestant| contestant.card.name == *name).cloned();
     let contestants = SCHEMES.iter().filter_map(named).collect();
-    Campaign { controls: controls.clone(), ..Campaign::of(vec![scene], contestants) }.run().verdicts
+    Campaign::of(vec![scene], contestants).run().verdicts
 }

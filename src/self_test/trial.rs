@@ -2,12 +2,12 @@
 
 use super::planted::{self, Plant};
 use super::{copy, measured};
-use crate::campaign::Campaign;
+use crate::campaign::{self, Campaign};
 use crate::claim::Claim;
-use crate::gates::{self, Baseline, Case};
+use crate::gates::{self, Baseline};
 use crate::measure;
 use crate::model::System;
-use crate::record::Verdict;
+use crate::record::{Evidence, Verdict};
 use crate::reference::{Reference, stored};
 use crate::scenes::Scene;
 use crate::schemes::{Card, PeskinRk2, Scheme};
@@ -76,11 +76,10 @@ fn judge_against(change: fn(&mut Reference), measure: Option<planted::Measure>, 
     };
     change(&mut reference);
     let contestant = Contestant::new::<PeskinRk2>();
-    let mut evidence = measure::climb(&contestant, &scene.system, &reference, 2, true);
-    if let Some(measure) = measure {
-        evidence = measured::mismeasured(&contestant, &scene.system, &reference, 2, evidence, measure);
-    }
-    let baseline = Baseline::built_in();
-    let of_ladder = Case::of(&scene.name, &scene.system, &contestant.card, &evidence, &baseline);
-    gates::judge(&Case { not_for_order: scene.not_for_order.as_deref(), ..of_ladder })
+    let climbed = measure::climb(&contestant, &scene.system, &reference, Some(2));
+    let ladder = match measure {
+        Some(measure) => measured::mismeasured(&contestant, &scene.system, &reference, &climbed, measure),
+        None => climbed.ladder,
+    };
+    gates::judge(&Evidence { ladder, ..campaign::unmeasured(&scene, &contestant) }, &Baseline::built_in())
 }

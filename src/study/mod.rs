@@ -3,6 +3,7 @@
 
 #[cfg(feature = "cli")]
 pub mod advice;
+pub mod cause;
 pub mod cost;
 #[cfg(feature = "cli")]
 pub mod ensemble;

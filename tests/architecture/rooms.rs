@@ -27,23 +27,25 @@ const ROOMS: [&str; 18] = [
     "study",
 ];
 /// What several rooms share, or a single function for users.
-const HELPERS: [&str; 5] = ["assertion", "guide", "interrupt", "ode", "prelude"];
+const HELPERS: [&str; 7] = ["assertion", "guide", "interrupt", "ode", "prelude", "quantity", "words"];
 
 /// A room and those it may use.
 const EDGES: &[(&str, &[&str])] = &[
     ("interrupt", &[]),
+    ("words", &[]),
+    ("quantity", &[]),
+    ("claim", &["quantity", "words"]),
     ("arithmetic", &[]),
     ("rotation", &["arithmetic"]),
-    ("record", &[]),
-    ("model", &["arithmetic", "rotation"]),
+    ("record", &["claim", "quantity", "words"]),
+    ("model", &["arithmetic", "quantity", "rotation"]),
     ("ode", &["model", "rotation"]),
-    ("claim", &["model", "record"]),
     ("schemes", &["claim", "interrupt", "model", "ode", "rotation"]),
     ("reference", &["interrupt", "model", "ode", "rotation"]),
     ("scenes", &["model", "rotation"]),
     ("simulate", &["claim", "interrupt", "model", "rotation", "schemes"]),
     ("measure", &["claim", "model", "ode", "record", "reference", "rotation", "simulate"]),
-    ("gates", &["claim", "measure", "model", "record", "reference", "rotation", "schemes"]),
+    ("gates", &["claim", "measure", "model", "quantity", "record", "schemes"]),
     (
         "study",
         &[
@@ -130,6 +132,7 @@ const EDGES: &[(&str, &[&str])] = &[
 
 /// A room of `study`, and the other rooms of `study` that it may use.
 const STUDIES: &[(&str, &[&str])] = &[
+    ("cause", &[]),
     ("cost", &[]),
     ("published", &[]),
     ("ensemble", &[]),

@@ -1,144 +1,204 @@
 //! A case whose every number is made up: perfect but for what a test changes.
 
-use polhode::internals::gates::{self, Baseline, Case, Control};
-use polhode::internals::measure::{
-    self, EnergyDrift, Evidence, Flips, OtherWorld, Place, PointRun, QuantityLadder, Reading, Reversal, Rung,
-    Symplecticity,
+use std::sync::Arc;
+
+use polhode::gates::{self, Baseline};
+use polhode::model::body::Shape;
+use polhode::model::{PerQuantity, Quantity};
+use polhode::record::{
+    ClaimName, Evidence, Ladder, Measurement, Order, Records, Ruling, Rung, SceneRow, Setting, Verdict,
 };
-use polhode::model::{Broken, PerQuantity};
-use polhode::record::stability::LinearLimit;
-use polhode::record::{Ruling, Verdict};
 use polhode::scenes::Scene;
-use polhode::schemes::Card;
-use polhode::schemes::{Claim, Quantity};
-use polhode::simulate::{Break, Outcome};
+use polhode::schemes::Claim;
 
 use crate::common;
 
-/// What a case borrows.
+/// Runs of a ladder.
+pub const RUNS: usize = 8;
+/// Sample times [s].
+pub const TIMES: [f64; 4] = [2.0, 4.0, 6.0, 8.0];
+/// Distance of a copy from its run, in every quantity.
+pub const ROUNDING: f64 = 1e-12;
+/// An error is at its rounding up to thirty times that of the copies. The steps of a run, 1024 at most, round by less: 1024 u = 2.3e-13.
+pub const FLOOR: f64 = 30.0 * ROUNDING;
+
+/// A scheme in a scene, and what is on record of it.
 #[derive(Clone)]
 pub struct Made {
-    pub scene: Scene,
-    pub not_for_order: Option<&'static str>,
-    pub card: Card,
     pub evidence: Evidence,
-    pub drift: Option<EnergyDrift>,
-    pub points: Option<PointRun>,
-    pub flips: Option<Flips>,
-    pub reversal: Option<Reversal>,
-    pub symplecticity: Option<Symplecticity>,
-    pub other_worlds: Vec<OtherWorld>,
     pub baseline: Baseline,
-    pub step_limit: Option<(LinearLimit, LinearLimit)>,
-    pub control: Option<Control>,
 }
 
-/// Floor of every error.
-pub const FLOOR: f64 = 1e-15;
-
-fn readings(value: f64) -> PerQuantity<Reading> {
-    PerQuantity::all(Reading { end: value, max: value })
-}
-
-/// A run of so many steps, an error everywhere, as far from the run before.
-pub fn rung(step: f64, steps: u64, error: f64, moved: f64) -> Rung {
-    Rung {
-        step,
-        steps,
-        errors: readings(error),
-        floors: readings(FLOOR),
-        moved: readings(moved),
-        readings: vec![None; measure::ALL.len()],
-        outcome: Outcome { steps, ..Outcome::none_yet() },
+/// What a scene is to a claim; no made-up scene is generic.
+pub fn setting(scene: &Scene) -> Setting {
+    let system = &scene.system;
+    let (constant_force, no_force) = system.constant_force();
+    Setting {
+        content: scene.content(),
+        not_for_order: None,
+        generic: false,
+        torque_free: system.torque_free(),
+        steady_spin: system.steady_spin(),
+        symmetric: system.body.symmetric(),
+        constant_force,
+        no_force,
+        point: system.body.shape == Shape::Point,
     }
 }
 
-/// Breaks a run.
-pub fn broken(mut rung: Rung) -> Rung {
-    rung.outcome.broken = Some(Break { step: 1, time: rung.step, why: Broken::NotFinite });
-    rung
+/// Components of a quantity at one time.
+fn components(quantity: Quantity) -> usize {
+    match quantity {
+        Quantity::Orientation => 9,
+        Quantity::BodyPoint => 0,
+        _ => 3,
+    }
+}
+
+/// h of a run [s].
+pub fn step(run: usize) -> f64 {
+    0.5f64.powi(run as i32)
+}
+
+/// A run of so many steps over eight seconds, without errors at so many times.
+pub fn rung(steps: u64, times: usize) -> Rung {
+    Rung {
+        step: TIMES[3] / steps as f64,
+        steps,
+        errors: PerQuantity::of(|quantity| vec![0.0; components(quantity) * times]),
+        rounding: PerQuantity::of(|_| vec![ROUNDING; times]),
+        ..Rung::default()
+    }
+}
+
+/// The errors h to a power of the runs, of size one at the first.
+pub fn power(order: f64) -> [f64; RUNS] {
+    std::array::from_fn(|run| step(run).powf(order))
 }
 
 impl Made {
-    /// In a built-in scene, a scheme with these claims and six runs at halved steps, without errors.
-    pub fn new(scene: &str, claims: &'static [Claim]) -> Made {
-        Made {
-            scene: common::scene(scene),
-            not_for_order: None,
-            card: Card { name: "made-up", title: "Made up", family: "test", source: "none", claims },
-            evidence: Evidence {
-                model: "free",
-                rungs: (0..6).map(|k| rung(0.5f64.powi(k), 8 << k, 0.0, 0.0)).collect(),
-                ladders: Vec::new(),
-                giant_steps: Vec::new(),
-                goes_on_in: None,
-                by_rule: None,
+    /// In a built-in scene, a scheme with these claims and runs of 8 to 1024 steps, without errors.
+    pub fn new(scene: &str, claims: &[Claim]) -> Made {
+        let evidence = Evidence {
+            scene: scene.to_owned(),
+            scheme: "made-up".to_owned(),
+            known_as: "made-up".to_owned(),
+            model: "free".to_owned(),
+            setting: setting(&common::scene(scene)),
+            claims: claims.to_vec(),
+            ladder: Ladder {
+                times: TIMES.to_vec(),
+                sizes: PerQuantity::all(1.0),
+                arithmetic: f64::EPSILON,
+                arms: vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+                rungs: (0..RUNS).map(|run| rung(8 << run, TIMES.len())).collect(),
+                ..Ladder::default()
             },
-            drift: None,
-            points: None,
-            flips: None,
-            reversal: None,
-            symplecticity: None,
-            other_worlds: Vec::new(),
-            baseline: Baseline::default(),
-            step_limit: None,
-            control: None,
-        }
+            ..Evidence::default()
+        };
+        Made { evidence, baseline: Baseline::default() }
     }
 
-    /// A ladder of the quantity, at the end and over the run, of these errors at halved steps and one floor.
-    pub fn with_errors(mut self, quantity: Quantity, errors: &[f64], floor: f64) -> Made {
-        let rungs: Vec<_> = (0..).zip(errors).map(|(k, e)| (0.5f64.powi(k), *e, floor)).collect();
-        let order = self.card.order();
-        let ladders = Place::ALL.map(|place| QuantityLadder::of(quantity, place, rungs.clone(), order));
-        self.evidence.ladders.extend(ladders);
+    /// An error of the first component of a quantity, by step and time.
+    pub fn with(mut self, quantity: Quantity, error: impl Fn(f64, f64) -> f64) -> Made {
+        for rung in &mut self.evidence.ladder.rungs {
+            for (vector, time) in rung.errors[quantity].chunks_mut(components(quantity)).zip(TIMES) {
+                vector[0] = error(rung.step, time);
+            }
+        }
+        self
+    }
+
+    /// The same of the runs in their order, alike at all times, with the distance of the copies of every run.
+    pub fn with_errors(mut self, quantity: Quantity, errors: &[f64], rounding: f64) -> Made {
+        self.evidence.ladder.rungs.truncate(errors.len());
+        for rung in &mut self.evidence.ladder.rungs {
+            rung.rounding[quantity].fill(rounding);
+        }
+        self.with(quantity, |h, _| errors[(1.0 / h).log2().round() as usize])
+    }
+
+    /// An error h to a power in every quantity, without rounding.
+    pub fn of_order(scene: &str, claims: &[Claim], order: f64) -> Made {
+        let set = |quantity: &Quantity| components(*quantity) > 0;
+        let all = Quantity::ALL.into_iter().filter(set);
+        all.fold(Made::new(scene, claims), |made, quantity| {
+            made.with_errors(quantity, &power(order), ROUNDING)
+        })
+    }
+
+    /// Breaks a run.
+    pub fn broken(mut self, run: usize) -> Made {
+        let Rung { step, steps, .. } = self.evidence.ladder.rungs[run];
+        let why = Some("not finite".to_owned());
+        self.evidence.ladder.rungs[run] = Rung { step, steps, broken: why, ..Rung::default() };
+        self
+    }
+
+    /// Puts constants on record, or errors at the end by h, of a quantity of a scheme in a scene of this content.
+    pub fn recorded(mut self, row: Recorded) -> Made {
+        let scene = SceneRow { name: "there".to_owned(), content: row.content, ..SceneRow::default() };
+        let order = Order {
+            scene: "there".to_owned(),
+            scheme: row.scheme.clone(),
+            quantity: row.quantity.name().to_owned(),
+            constant: row.constant,
+            ..Order::default()
+        };
+        let run = |(step, error): (f64, f64)| Measurement {
+            scene: "there".to_owned(),
+            scheme: row.scheme.clone(),
+            metric: format!("{}-end", row.quantity.name()),
+            step_s: step,
+            value: Some(error),
+            uncertainty: Some(0.0),
+            ..Measurement::default()
+        };
+        let measurements = row.errors.into_iter().map(|error| Arc::new(run(error))).collect();
+        let records =
+            Records { scenes: vec![scene], orders: vec![order], measurements, ..Records::default() };
+        self.baseline = Baseline::from_records(&records);
         self
     }
 
     /// Every verdict.
     pub fn judge(&self) -> Vec<Verdict> {
-        gates::judge(&self.case())
-    }
-
-    /// Whether the verdicts ask for a control.
-    pub fn asks_for_control(&self) -> bool {
-        gates::ask_for_control(&self.judge())
-    }
-
-    fn case(&self) -> Case<'_> {
-        Case {
-            not_for_order: self.not_for_order,
-            drift: self.drift.as_ref(),
-            points: self.points.as_ref(),
-            flips: self.flips.as_ref(),
-            reversal: self.reversal.as_ref(),
-            symplecticity: self.symplecticity.as_ref(),
-            other_worlds: &self.other_worlds,
-            step_limit: self.step_limit.as_ref().map(|(stored, measured)| (stored, measured)),
-            control: self.control.as_ref(),
-            ..Case::of(&self.scene.name, &self.scene.system, &self.card, &self.evidence, &self.baseline)
-        }
+        gates::judge(&self.evidence, &self.baseline)
     }
 
     /// The one verdict on a quantity of a claim.
-    pub fn verdict(&self, claim: &str, quantity: &str) -> Verdict {
-        let mut found = self
-            .judge()
-            .into_iter()
-            .filter(|v| v.claim.word() == claim && v.quantity == quantity)
-            .collect::<Vec<_>>();
-        assert_eq!(found.len(), 1, "{claim} {quantity}: {found:#?}");
+    pub fn verdict(&self, claim: ClaimName, quantity: &str) -> Verdict {
+        let mut found: Vec<Verdict> =
+            self.judge().into_iter().filter(|v| v.claim == claim && v.quantity == quantity).collect();
+        assert_eq!(found.len(), 1, "{claim:?} {quantity}: {found:#?}");
         found.remove(0)
     }
 
     /// Its ruling.
-    pub fn ruling(&self, claim: &str, quantity: &str) -> Ruling {
+    pub fn ruling(&self, claim: ClaimName, quantity: &str) -> Ruling {
         self.verdict(claim, quantity).verdict
     }
 
     /// The quantities that a claim has a verdict on.
-    pub fn quantities(&self, claim: &str) -> Vec<String> {
-        self.judge().into_iter().filter(|v| v.claim.word() == claim).map(|v| v.quantity).collect()
+    pub fn quantities(&self, claim: ClaimName) -> Vec<String> {
+        self.judge().into_iter().filter(|v| v.claim == claim).map(|v| v.quantity).collect()
+    }
+}
+
+/// A row on record.
+pub struct Recorded {
+    pub content: String,
+    pub scheme: String,
+    pub quantity: Quantity,
+    pub constant: Option<f64>,
+    pub errors: Vec<(f64, f64)>,
+}
+
+impl Recorded {
+    /// Of a made-up case, with nothing in it yet.
+    pub fn of(made: &Made, quantity: Quantity) -> Recorded {
+        let (content, scheme) = (made.evidence.setting.content.clone(), made.evidence.scheme.clone());
+        Recorded { content, scheme, quantity, constant: None, errors: Vec::new() }
     }
 }
 

@@ -1,6 +1,6 @@
 //! The likeliest cause of a run that converges to another motion.
 
-use polhode::internals::measure::{Cause, likeliest_cause};
+use polhode::internals::study::cause::{Cause, likeliest_cause};
 use polhode::reference::Reference;
 
 use crate::common::scene;

@@ -74,7 +74,7 @@ fn a_scheme_that_is_not_symplectic_changes_the_two_form() {
 }
 
 #[test]
-fn energies_are_told_apart_by_their_kind() {
+fn an_energy_is_ruled_by_its_kind() {
     const GROWS: Claim = Claim::Energy(EnergyOfFreeBody::GrowsSecularly { rate_order: 3 });
     const THIRD: Claim = Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 });
     const SECOND: Claim = Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 2 });

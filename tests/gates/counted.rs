@@ -1,75 +1,68 @@
 //! Counts of work, exactly.
 
-use polhode::record::Ruling::{Broken, Fail, Inconclusive, Pass};
+use polhode::record::ClaimName::{self, Evaluations, Solves};
+use polhode::record::Ruling::{Broken, Fail, Pass};
 use polhode::schemes::Claim;
 
-use super::case::{Made, broken, numbers};
+use super::case::{Made, RUNS, numbers};
 
-/// Three evaluations a step on every rung of 8 to 256 steps, and so many more on each.
-fn evaluated(more: [u64; 6]) -> Made {
-    let mut made = Made::new("free-asymmetric", &[Claim::Evaluations(3)]);
-    for (rung, more) in made.evidence.rungs.iter_mut().zip(more) {
-        rung.outcome.evaluations = 3 * rung.steps + more;
+/// Three evaluations and two equations a step, five iterations to an equation, and so many more of each on every run of 8 to 1024 steps.
+fn counted(more: [u64; RUNS]) -> Made {
+    let mut made = Made::new("free-asymmetric", &[Claim::Evaluations(3), Claim::Solves(2)]);
+    for (rung, more) in made.evidence.ladder.rungs.iter_mut().zip(more) {
+        rung.evaluations = 3 * rung.steps + more;
+        rung.solves = 2 * rung.steps + more;
+        rung.iterations = 5 * rung.solves;
     }
     made
 }
 
+/// So many on one run alone.
+fn on(run: usize, more: u64) -> [u64; RUNS] {
+    std::array::from_fn(|k| if k == run { more } else { 0 })
+}
+
 #[test]
-fn evaluations_are_as_many_as_claimed_and_one_at_the_beginning_of_every_run() {
-    let ruling = |more| evaluated(more).ruling("evaluations", "evaluations");
-    assert_eq!([ruling([0; 6]), ruling([1; 6])], [Pass; 2]);
-    assert_eq!([ruling([2; 6]), ruling([0, 1, 0, 0, 0, 0]), ruling([1, 1, 1, 1, 1, 0])], [Fail; 3]);
-    let mut made = evaluated([0; 6]);
-    made.evidence.rungs.iter_mut().for_each(|rung| rung.outcome.evaluations = 2 * rung.steps);
-    assert_eq!(made.ruling("evaluations", "evaluations"), Fail);
+fn counts_are_as_claimed_on_every_run_but_for_one_evaluation_at_the_beginning_of_each() {
+    for (more, evaluations, solves) in [
+        ([0; RUNS], Pass, Pass),
+        ([1; RUNS], Pass, Fail),
+        ([2; RUNS], Fail, Fail),
+        (on(1, 1), Fail, Fail),
+        (on(RUNS - 1, 1), Fail, Fail),
+    ] {
+        let made = counted(more);
+        let rulings = [made.ruling(Evaluations, "evaluations"), made.ruling(Solves, "solves")];
+        assert_eq!(rulings, [evaluations, solves], "{more:?}");
+    }
+    // Fewer than claimed are as wrong as more.
+    let mut made = counted([0; RUNS]);
+    made.evidence.ladder.rungs.iter_mut().for_each(|rung| {
+        (rung.evaluations, rung.solves) = (2 * rung.steps, rung.steps);
+    });
+    assert_eq!([made.ruling(Evaluations, "evaluations"), made.ruling(Solves, "solves")], [Fail; 2]);
 }
 
 #[test]
 fn runs_that_broke_are_not_counted_but_where_all_did() {
-    let mut made = evaluated([0, 0, 0, 0, 0, 7]);
-    made.evidence.rungs[5] = broken(made.evidence.rungs[5].clone());
-    let verdict = made.verdict("evaluations", "evaluations");
-    assert_eq!((verdict.verdict, numbers(&verdict)), (Pass, [Some(3.0); 3]));
-    made.evidence.rungs = made.evidence.rungs.into_iter().map(broken).collect();
-    assert_eq!(made.ruling("evaluations", "evaluations"), Broken);
-    made.evidence.goes_on_in = Some(0.25);
-    assert_eq!(made.ruling("evaluations", "evaluations"), Inconclusive);
-}
-
-#[test]
-fn the_evaluations_of_the_finest_run_are_shown_beside_the_claim() {
-    let verdict = evaluated([128; 6]).verdict("evaluations", "evaluations");
-    assert_eq!((verdict.verdict, numbers(&verdict)), (Fail, [Some(3.5), Some(3.0), Some(3.0)]));
-}
-
-/// Two equations a step, and so many more on each rung; five iterations to an equation.
-fn solved(more: [u64; 6]) -> Made {
-    let mut made = Made::new("free-asymmetric", &[Claim::Solves(2)]);
-    for (rung, more) in made.evidence.rungs.iter_mut().zip(more) {
-        rung.outcome.solves = 2 * rung.steps + more;
-        rung.outcome.iterations = 5 * rung.outcome.solves;
+    let mut made = counted(on(RUNS - 1, 7)).broken(RUNS - 1);
+    let shown = |made: &Made, claim: ClaimName, quantity: &str| {
+        let verdict = made.verdict(claim, quantity);
+        (verdict.verdict, numbers(&verdict))
+    };
+    assert_eq!(shown(&made, Evaluations, "evaluations"), (Pass, [Some(3.0); 3]));
+    assert_eq!(shown(&made, Solves, "solves"), (Pass, [Some(2.0); 3]));
+    for run in 0..RUNS {
+        made = made.broken(run);
     }
-    made
+    assert_eq!(shown(&made, Evaluations, "evaluations").0, Broken);
+    assert_eq!(shown(&made, Solves, "solves").0, Broken);
 }
 
 #[test]
-fn implicit_equations_are_as_many_as_claimed_on_every_rung() {
-    let verdict = solved([0; 6]).verdict("solves", "solves");
-    assert_eq!((verdict.verdict, numbers(&verdict)), (Pass, [Some(2.0); 3]));
-    assert!(verdict.detail.contains("5.0 iterations each"), "{}", verdict.detail);
-    assert_eq!(
-        [solved([0, 0, 0, 0, 0, 1]).ruling("solves", "solves"), solved([1; 6]).ruling("solves", "solves")],
-        [Fail; 2]
-    );
-    let verdict = solved([4, 0, 0, 0, 0, 0]).verdict("solves", "solves");
+fn the_evaluations_of_the_finest_run_and_the_equations_of_the_coarsest_stand_beside_the_claim() {
+    let verdict = counted([512; RUNS]).verdict(Evaluations, "evaluations");
+    assert_eq!((verdict.verdict, numbers(&verdict)), (Fail, [Some(3.5), Some(3.0), Some(3.0)]));
+    let verdict = counted(on(0, 4)).verdict(Solves, "solves");
     assert_eq!((verdict.verdict, numbers(&verdict)), (Fail, [Some(2.5), Some(2.0), Some(2.0)]));
-}
-
-#[test]
-fn equations_of_runs_that_broke_are_not_counted_but_where_all_did() {
-    let mut made = solved([7, 0, 0, 0, 0, 0]);
-    made.evidence.rungs[0] = broken(made.evidence.rungs[0].clone());
-    assert_eq!(made.ruling("solves", "solves"), Pass);
-    made.evidence.rungs = made.evidence.rungs.into_iter().map(broken).collect();
-    assert_eq!(made.ruling("solves", "solves"), Broken);
 }

@@ -1,103 +1,138 @@
 //! Flips of a tumbling body.
 
-use polhode::internals::measure::{FlipRung, Flips, TrueFlips};
+use polhode::internals::measure::is_complete;
+use polhode::record::ClaimName::FlipTimes;
 use polhode::record::Ruling::{Fail, Inconclusive, NotApplicable, Pass};
+use polhode::record::{FlipRung, Flips, TrueFlips};
 use polhode::schemes::{Claim, Quantity};
 
-use super::case::{Made, numbers};
+use super::case::{Made, numbers, power, step};
 
-/// Two flips in truth, and times on rungs that are late by these errors.
+/// Runs at halved steps.
+const RUNS: usize = 8;
+
+/// Four flips in truth within 50 s, and runs that are late by these errors; every second flip is early.
 fn late(errors: &[f64]) -> Made {
     let mut made = Made::new("dzhanibekov", &[Claim::Order(2), Claim::FlipTimes]);
-    let truth = TrueFlips { times: vec![10.0, 29.0], uncertainty: 0.0, slowest: 0.5 };
-    // The first flip is late and the second early.
-    let times = |error: &f64| vec![10.0 + 0.5 * error, 29.0 - error];
-    let rung = |(k, e): (i32, &f64)| FlipRung { step: 0.5f64.powi(k), times: times(e), uncertainty: 0.0 };
-    let rungs = (0..).zip(errors).map(rung).collect();
-    made.flips = Some(Flips { truth, rungs });
+    let truth = TrueFlips { times: vec![10.0, 20.0, 30.0, 40.0], uncertainty: 0.0, slowest: 0.5 };
+    let times = |error: &f64| vec![10.0 + 0.5 * error, 20.0 - 0.5 * error, 30.0 + error, 40.0 - error];
+    let rung = |(run, error): (usize, &f64)| FlipRung {
+        step: step(run),
+        steps: 50 << run,
+        times: times(error),
+        uncertainty: 0.0,
+    };
+    let rungs = errors.iter().enumerate().map(rung).collect();
+    made.evidence.flips = Some(Flips { truth, duration: 50.0, rungs });
     made
 }
 
 fn flips(made: &mut Made) -> &mut Flips {
-    made.flips.as_mut().expect("flips")
+    made.evidence.flips.as_mut().expect("flips")
 }
 
-/// Errors h^order at halved steps.
-fn power(order: i32) -> [f64; 8] {
-    std::array::from_fn(|k| 0.125 * 0.5f64.powi(order * k as i32))
+fn ruling(made: &Made) -> polhode::record::Ruling {
+    made.ruling(FlipTimes, "flip-times")
 }
 
 #[test]
 fn times_of_flips_converge_at_least_as_fast_as_claimed() {
-    let ruling = |errors: &[f64]| late(errors).ruling("flip-times", "flip-times");
-    assert_eq!([ruling(&power(2)), ruling(&power(3)), ruling(&power(1))], [Pass, Pass, Fail]);
-    // 1.8 is below the band about two, and 1.9 in it.
-    let slope = |slope: f64| -> [f64; 8] { std::array::from_fn(|k| 0.1 * 0.5f64.powf(slope * k as f64)) };
-    assert_eq!([ruling(&slope(1.8)), ruling(&slope(1.9))], [Fail, Pass]);
-    let verdict = late(&power(3)).verdict("flip-times", "flip-times");
-    let [measured, low, high] = numbers(&verdict);
-    assert!((measured.expect("a slope") - 3.0).abs() < 1e-9);
-    assert!(low.zip(high).is_some_and(|(low, high)| 2.99 < low && high < 3.01), "{low:?} {high:?}");
-    assert!(
-        verdict.detail.starts_with("2 flips; largest error of a time 5.96e-8 s at h = 7.81e-3 s"),
-        "{}",
-        verdict.detail
-    );
+    let doubled: Vec<f64> = power(2.0).iter().zip([1.0, 2.0].repeat(4)).map(|(e, by)| e * by).collect();
+    for (errors, expected) in [
+        (&power(1.0)[..], Fail),
+        (&power(2.0), Pass),
+        (&power(3.0), Pass),
+        (&[0.0; RUNS], Pass),
+        // Off however small the step.
+        (&[0.25; RUNS], Fail),
+        (&doubled, Inconclusive),
+        (&power(2.0)[..3], Inconclusive),
+    ] {
+        assert_eq!(ruling(&late(errors)), expected, "{errors:?}");
+    }
+    let shown = numbers(&late(&power(3.0)).verdict(FlipTimes, "flip-times"));
+    // Times of up to 40 s are rounded to 7e-15 s, over errors of 1e-3 s or more.
+    assert!(shown.iter().all(|number| number.is_some_and(|order| (order - 3.0).abs() < 1e-9)), "{shown:?}");
 }
 
 #[test]
-fn slopes_that_do_not_agree_decide_only_where_all_of_the_last_three_are_steep_enough() {
-    let ruling = |errors: &[f64]| late(errors).ruling("flip-times", "flip-times");
-    // Slopes 3.3, 2.3, 3.3 and 2.3; then 3.3, 2.3, 3.3 and 1.
-    assert_eq!(ruling(&[1.0, 0.1, 0.02, 2e-3, 4e-4]), Pass);
-    assert_eq!(ruling(&[1.0, 0.1, 0.02, 2e-3, 1e-3]), Inconclusive);
-    // They have stopped to fall, off the truth.
-    assert_eq!(ruling(&[4.0, 1.0, 1e-3, 1e-3, 1e-3, 1e-3]), Fail);
-}
-
-#[test]
-fn times_at_their_floor_are_right_whatever_their_slopes() {
-    let errors = [1.0, 0.1, 0.02, 2e-3, 1e-3];
-    for (floor, expected) in [(0.99e-4, Inconclusive), (1.01e-4, Pass)] {
-        let mut made = late(&errors);
-        flips(&mut made).rungs.iter_mut().for_each(|rung| rung.uncertainty = floor);
-        assert_eq!(made.ruling("flip-times", "flip-times"), expected, "{floor}");
-        // What the truth is off by counts as well, and so does an angle over the rate of the slowest flip.
-        let mut made = late(&errors);
-        flips(&mut made).truth.uncertainty = floor;
-        assert_eq!(made.ruling("flip-times", "flip-times"), expected, "{floor}");
-        let mut made = late(&errors);
-        let orientation = Quantity::Orientation;
-        made.evidence.rungs[5].floors[orientation].max = 0.5 * floor;
-        assert_eq!(made.ruling("flip-times", "flip-times"), expected, "{floor}");
+fn times_at_what_they_may_be_off_by_are_right() {
+    // Each counts ten times: what interpolation leaves of a run and of the truth, and an angle over the slowest rate of a flip.
+    let off = 1e-3;
+    let ways: [fn(&mut Made, f64); 3] = [
+        |made, off| flips(made).rungs.iter_mut().for_each(|rung| rung.uncertainty = off),
+        |made, off| flips(made).truth.uncertainty = off,
+        |made, off| made.evidence.ladder.rungs[7].rounding[Quantity::Orientation].fill(0.5 * off),
+    ];
+    for way in ways {
+        // Of four errors two are whole and two are halves: their length is √(5/8) times that of four whole ones.
+        let length = (5.0f64 / 8.0).sqrt();
+        for (error, expected) in [(0.99, Pass), (1.01, Fail)] {
+            let mut made = late(&[10.0 * off * error / length; RUNS]);
+            way(&mut made, off);
+            assert_eq!(ruling(&made), expected, "{error}");
+        }
     }
 }
 
 #[test]
 fn flips_are_as_many_as_in_truth_at_the_three_finest_steps() {
-    // Fewer than four rungs after the last wrong one have no window.
-    for (rung, expected) in [(7, Fail), (6, Fail), (5, Fail), (4, Inconclusive), (3, Pass), (0, Pass)] {
-        let mut made = late(&power(2));
-        flips(&mut made).rungs[rung].times.pop();
-        assert_eq!(made.ruling("flip-times", "flip-times"), expected, "{rung}");
+    for run in 0..RUNS {
+        let mut made = late(&power(2.0));
+        flips(&mut made).rungs[run].times.remove(1);
+        // Fewer than four runs after the last wrong one decide no order.
+        let expected = [Pass, Pass, Pass, Pass, Inconclusive, Fail, Fail, Fail][run];
+        assert_eq!(ruling(&made), expected, "{run}");
     }
-    let mut made = late(&power(2));
+    let mut made = late(&power(2.0));
     flips(&mut made).truth.times.clear();
-    assert_eq!(made.ruling("flip-times", "flip-times"), Fail);
+    assert_eq!(ruling(&made), Fail);
     flips(&mut made).rungs.iter_mut().for_each(|rung| rung.times.clear());
-    assert_eq!(made.ruling("flip-times", "flip-times"), Pass);
+    assert_eq!(ruling(&made), Pass);
+}
+
+#[test]
+fn one_flip_more_or_less_is_the_same_at_the_end_of_the_run_and_nowhere_else() {
+    // The last true flip, or the one more of the run, is this far from the end, and the others are late by this much.
+    let one_off = |before_end: f64, late_by: f64, less: bool| {
+        let mut made = late(&[late_by; RUNS]);
+        let flips = flips(&mut made);
+        let last = flips.duration - before_end;
+        if less {
+            flips.truth.times.push(last);
+        } else {
+            flips.rungs.iter_mut().for_each(|rung| rung.times.push(last));
+        }
+        is_complete(flips, &flips.rungs[7])
+    };
+    for less in [true, false] {
+        assert!(one_off(0.0, 0.0, less) && one_off(0.99, 0.1, less));
+        assert!(!one_off(1.01, 0.1, less) && !one_off(1e-3, 0.0, less));
+    }
+    // In the middle, or two of them, they are others.
+    let without = |flip: usize, count: usize| {
+        let mut made = late(&[1e-3; RUNS]);
+        let flips = flips(&mut made);
+        flips.rungs[7].times.drain(flip..flip + count);
+        is_complete(flips, &flips.rungs[7])
+    };
+    assert!(!without(3, 1) && !without(1, 1) && !without(2, 2));
+    // The order is that of the flips that all have.
+    for (late_by, expected) in [(2.0, Pass), (1.0, Fail)] {
+        let mut made = late(&power(late_by));
+        flips(&mut made).truth.times.push(50.0 - 1e-6);
+        assert_eq!(ruling(&made), expected);
+    }
 }
 
 #[test]
 fn flips_that_are_not_known_are_not_judged() {
-    let mut made = late(&power(1));
-    // So fast that an angle is no time.
-    flips(&mut made).truth.slowest = f64::INFINITY;
-    let orientation = Quantity::Orientation;
-    made.evidence.rungs[5].floors[orientation].max = 1e-3;
-    assert_eq!(made.ruling("flip-times", "flip-times"), Fail);
-    made.evidence.rungs[5].floors[orientation].max = 1e-3f64.next_up();
-    assert_eq!(made.ruling("flip-times", "flip-times"), Inconclusive);
-    made.flips = None;
-    assert_eq!(made.ruling("flip-times", "flip-times"), NotApplicable);
+    let mut made = late(&[0.0; RUNS]);
+    // A tenth of the duration: 5 s are left open by ten times an angle over the slowest rate, 0.5 rad/s.
+    for (open, expected) in [(0.24, Pass), (0.26, Inconclusive)] {
+        made.evidence.ladder.rungs[7].rounding[Quantity::Orientation].fill(open);
+        assert_eq!(ruling(&made), expected, "{open}");
+    }
+    made.evidence.flips = None;
+    assert_eq!(ruling(&made), NotApplicable);
 }

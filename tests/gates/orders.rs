@@ -1,234 +1,321 @@
-//! Orders and error constants.
+//! Convergence, orders, error constants and errors on record.
 
-use polhode::internals::gates::{self, Baseline};
-use polhode::internals::measure::regression::{Fit, Ladder};
-use polhode::internals::measure::{BAND, Place, QuantityLadder};
+use polhode::gates::Baseline;
+use polhode::internals::measure::{Asked, Decision, Doubt, decide};
+use polhode::record::ClaimName::{Constant, Converges, Order, Run, Start};
 use polhode::record::Ruling::{self, Broken, Fail, Inconclusive, NotApplicable, Pass};
-use polhode::record::{Order, Records};
-use polhode::scenes::Scene;
+use polhode::record::Verdict;
+use polhode::scenes;
 use polhode::schemes::{Claim, Quantity, When};
 
-use super::case::{FLOOR, Made, broken, numbers};
+use super::case::{FLOOR, Made, ROUNDING, RUNS, Recorded, numbers, power, rung};
 
-pub const SECOND: &[Claim] = &[Claim::Order(2)];
+const SECOND: &[Claim] = &[Claim::Order(2)];
+const POSITION: Quantity = Quantity::Position;
 
-/// Errors h^order.
-pub fn power(order: f64) -> [f64; 6] {
-    std::array::from_fn(|k| 0.5f64.powf(order * k as f64))
-}
-
-/// What is said of a fit over a ladder that shows nothing else.
-fn said(order: u32, low: f64, slope: f64, high: f64) -> (Ruling, String) {
-    let rungs = power(slope).iter().zip(0..).map(|(e, k)| (0.5f64.powi(k), *e, 0.0)).collect();
-    said_over(rungs, order, Fit { slope, low, high })
-}
-
-fn said_over(rungs: Vec<(f64, f64, f64)>, order: u32, fit: Fit) -> (Ruling, String) {
-    let ladder = Ladder::Window { rungs: 0..6, fit };
-    let made =
-        QuantityLadder { quantity: Quantity::BodyPoint, place: Place::End, rungs, ladder, constant: None };
-    gates::rule(&made, order)
+/// A second-order scheme under torque, whose position has these errors.
+fn position(errors: &[f64], rounding: f64) -> Made {
+    Made::new("kovalevskaya", SECOND).with_errors(POSITION, errors, rounding)
 }
 
 #[test]
-fn the_interval_of_a_slope_is_inside_the_band_outside_or_across_an_end() {
-    let (bottom, top) = (2.0 - BAND, 2.0 + BAND);
-    for (low, slope, high, expected, words) in [
-        (bottom, 2.0, top, Pass, "inside"),
-        (bottom.next_down(), 2.0, top, Inconclusive, "reaches across"),
-        (bottom, 2.0, top.next_up(), Inconclusive, "reaches across"),
-        (top, 2.5, 3.0, Inconclusive, "reaches across"),
-        (1.0, 1.5, bottom, Inconclusive, "reaches across"),
-        (2.9, 3.0, 3.1, Fail, "above the band"),
-        (0.9, 1.0, 1.1, Fail, "below the band"),
-        (1.4, 1.5, 1.6, Fail, "below the band"),
-    ] {
-        let (ruling, detail) = said(2, low, slope, high);
-        assert!(ruling == expected && detail.contains(words), "[{low}, {high}]: {ruling:?}, {detail}");
-        assert!(detail.contains("over 6 rungs") && detail.contains("1.85 … 2.15"), "{detail}");
+fn an_order_is_at_least_the_claimed_one_and_the_slope_stands_beside_the_verdict() {
+    for (order, expected) in [(1.0, Fail), (2.0, Pass), (3.0, Pass)] {
+        let made = position(&power(order), ROUNDING);
+        let verdict = made.verdict(Order, "position");
+        let [slope, low, high] = numbers(&verdict).map(|number| number.expect("a number"));
+        assert_eq!(verdict.verdict, expected, "{order}");
+        // A pure power leaves no r: slope and bounds are the order, to rounding of its logarithm.
+        assert!([slope, low, high].iter().all(|number| (number - order).abs() < 1e-12), "{verdict:?}");
+        // An order that is judged says whether the runs converge.
+        assert!(!made.quantities(Converges).contains(&"position".to_owned()));
+    }
+    let next = Made::new("kovalevskaya", SECOND).with(POSITION, |h, _| h * h + h.powi(3));
+    let [slope, low, high] =
+        numbers(&next.verdict(Order, "position")).map(|number| number.expect("a number"));
+    // One component with a positive next term has its slope at a bound, to rounding.
+    assert!(low < 2.0 && 2.0 < high && low < slope && slope < high + 1e-12, "{slope} [{low}, {high}]");
+}
+
+#[test]
+fn in_a_generic_scene_one_quantity_has_exactly_the_claimed_order() {
+    let all = |made: &Made| made.judge().into_iter().find(|v| v.claim == Order && v.quantity == "all");
+    for (order, generic, expected) in [(2.0, true, false), (3.0, true, true), (3.0, false, false)] {
+        let mut made = Made::of_order("free-asymmetric", SECOND, order);
+        made.evidence.setting.generic = generic;
+        let verdict = all(&made);
+        assert_eq!(verdict.is_some(), expected, "{order} {generic}");
+        if let Some(Verdict { verdict, measured, high, .. }) = verdict {
+            assert_eq!((verdict, measured, high), (Fail, Some(3.0), Some(2.0)));
+        }
+        // One quantity is enough, and none is where no order is claimed.
+        assert!(all(&made.clone().with_errors(POSITION, &power(2.0), ROUNDING)).is_none());
+        made.evidence.claims.clear();
+        assert!(all(&made).is_none());
     }
 }
 
 #[test]
-fn a_term_of_the_claimed_order_under_the_next_one_is_undecided_where_the_interval_is_outside() {
-    let rungs =
-        || (0..6).map(|k| 0.7f64.powi(k)).map(|h| (h, 0.05 * h * h + h.powi(3), 0.0)).collect::<Vec<_>>();
-    let (bottom, top) = (2.0 - BAND, 2.0 + BAND);
-    for (low, slope, high, there) in [
-        (top.next_up(), 2.5, 3.0, true),
-        (top, 2.5, 3.0, false),
-        (1.0, 1.5, bottom.next_down(), true),
-        (1.0, 1.5, bottom, false),
-    ] {
-        let (ruling, detail) = said_over(rungs(), 2, Fit { slope, low, high });
-        assert_eq!(
-            (ruling, detail.contains("a term of the claimed order is there")),
-            (Inconclusive, there),
-            "{detail}"
-        );
-    }
-}
-
-#[test]
-fn ladders_without_a_slope_say_why() {
-    let of = |errors: &[f64], floor: f64| {
-        let rungs = (0..).zip(errors).map(|(k, e)| (0.5f64.powi(k), *e, floor)).collect();
-        gates::rule(&QuantityLadder::of(Quantity::BodyPoint, Place::End, rungs, 2), 2)
+fn runs_that_converge_elsewhere_fail_in_every_scene_but_where_that_is_claimed() {
+    let at = |claims: &[Claim], not_for_order: Option<&str>| {
+        let mut made = Made::new("kovalevskaya", claims).with(POSITION, |h, _| 0.25 + 0.01 * h * h);
+        made.evidence.setting.not_for_order = not_for_order.map(str::to_owned);
+        made
     };
-    for (errors, floor, expected, words) in [
-        ([0.0; 6], FLOOR, NotApplicable, "exact"),
-        ([1.0, 0.25, 0.0625, 0.0, 0.0, 0.0], 1e-3, Inconclusive, "only 3 of 6 rungs"),
-        ([1.0, 3.0, 1.0, 3.0, 1.0, 3.0], 0.0, Inconclusive, "down to h = 3.125e-2 s"),
-        ([f64::NAN; 6], 0.0, Broken, "no finite error"),
+    for (claims, not_for_order, expected) in [
+        (SECOND, None, Fail),
+        (&[], None, Fail),
+        (SECOND, Some("it is so"), Fail),
+        (&[Claim::SolvesAnotherMotion], None, Pass),
     ] {
-        let (ruling, detail) = of(&errors, floor);
-        assert!(ruling == expected && detail.contains(words), "{ruling:?}: {detail}");
+        let verdict = at(claims, not_for_order).verdict(Converges, "position");
+        assert_eq!(verdict.verdict, expected, "{claims:?}");
+        // Of the finest run, with h = 1/128.
+        assert!((verdict.measured.expect("an error") - 0.25).abs() < 1e-6, "{verdict:?}");
     }
+    // A motion that is another has no order; one that is right beside it has.
+    let judged = at(SECOND, None).quantities(Order);
+    assert!(!judged.contains(&"position".to_owned()) && judged.contains(&"velocity".to_owned()));
 }
 
 #[test]
-fn a_broken_ladder_says_what_broke() {
-    let mut made = Made::new("free-asymmetric", SECOND).with_errors(Quantity::Position, &[f64::NAN; 6], 0.0);
-    // Runs that differ from one another by numbers are whole: it is the reference that has none.
-    let verdict = made.verdict("order", "position-end");
-    assert!(
-        verdict.verdict == Inconclusive && verdict.detail.contains("reference is not finite"),
-        "{verdict:?}"
-    );
-    made.evidence.rungs[5].moved[Quantity::Position].end = f64::NAN;
-    let verdict = made.verdict("order", "position-end");
-    assert!(verdict.verdict == Broken && verdict.detail.contains("no finite error"), "{verdict:?}");
-    made.evidence.rungs[5] = broken(made.evidence.rungs[5].clone());
-    let verdict = made.verdict("order", "position-end");
-    assert!(verdict.verdict == Broken && verdict.detail.contains("no longer finite"), "{verdict:?}");
-    // Where a smaller step gets past, the step was too large.
-    made.evidence.goes_on_in = Some(0.25);
-    let verdict = made.verdict("order", "position-end");
-    assert!(verdict.verdict == Inconclusive && verdict.detail.contains("steps of 2.5e-1 s"), "{verdict:?}");
-}
-
-#[test]
-fn every_quantity_is_judged_at_both_places_with_its_fit_but_those_that_are_promised_exact() {
-    const EXACT: &[Claim] = &[
-        Claim::Order(2),
-        Claim::Exact(Quantity::Position, When::NoForce),
-        Claim::Exact(Quantity::AngularMomentum, When::SteadySpin),
-    ];
-    let with = |claims| {
-        let made = Made::new("free-asymmetric", claims);
-        Quantity::ALL.into_iter().fold(made, |made, quantity| made.with_errors(quantity, &power(2.0), 0.0))
+fn what_is_undecided_is_inconclusive_with_its_doubt_and_what_is_exact_has_no_order() {
+    let first_three = |k: usize, h: f64| if k < 3 { h * h } else { 0.02 };
+    let doubled = |k: usize, h: f64| if k % 2 == 0 { h } else { 2.0 * h };
+    let errors = |of: &dyn Fn(usize, f64) -> f64| -> [f64; RUNS] {
+        let steps = power(1.0);
+        std::array::from_fn(|k| of(k, steps[k]))
     };
-    assert_eq!(with(SECOND).quantities("order").len(), 12);
-    let made = with(EXACT);
-    let judged = made.quantities("order");
-    assert!(
-        judged.len() == 10 && !judged.iter().any(|quantity| quantity.starts_with("position")),
-        "{judged:?}"
-    );
-    let verdict = made.verdict("order", "body-point-max");
-    let fit = numbers(&verdict).map(|number| number.expect("a fit"));
-    assert!(verdict.verdict == Pass && fit.iter().all(|number| (number - 2.0).abs() < 1e-9), "{fit:?}");
-    assert!(fit[1] <= fit[0] && fit[0] <= fit[2]);
-}
-
-#[test]
-fn a_body_point_is_exact_where_place_and_rotation_are() {
-    const BOTH: &[Claim] = &[
-        Claim::Order(2),
-        Claim::Exact(Quantity::Position, When::NoForce),
-        Claim::Exact(Quantity::Orientation, When::SteadySpin),
-    ];
-    for (scene, judged) in [("slow-sphere", 0), ("free-asymmetric", 2)] {
-        let made = Made::new(scene, BOTH).with_errors(Quantity::BodyPoint, &power(2.0), 0.0);
-        assert_eq!(made.quantities("order").len(), judged, "{scene}");
+    for (errors, rounding, expected) in [
+        (&power(2.0)[..3], ROUNDING, Decision::Undecided(Doubt::FewRuns { whole: 3 })),
+        // Three errors are more than 30 times a rounding of a thousandth.
+        (&errors(&first_three), 1e-3, Decision::Undecided(Doubt::Rounding { clear: 3 })),
+        // Thirty times a hundredth of the quantity.
+        (&power(2.0), 0.01, Decision::Undecided(Doubt::Open { rounding: 0.3 })),
+        (&[FLOOR; RUNS], ROUNDING, Decision::Exact),
+        (&[0.0; RUNS], ROUNDING, Decision::Exact),
+    ] {
+        let made = position(errors, rounding);
+        assert_eq!(decide(&Asked::of(&made.evidence.ladder, POSITION)), expected);
+        let exact = expected == Decision::Exact;
+        assert_eq!(made.ruling(Order, "position"), if exact { NotApplicable } else { Inconclusive });
+        assert_eq!(numbers(&made.verdict(Order, "position")), [None; 3]);
     }
+    let made = position(&errors(&doubled), ROUNDING);
+    let decision = decide(&Asked::of(&made.evidence.ladder, POSITION));
+    assert!(matches!(decision, Decision::Undecided(Doubt::NotAsymptotic { .. })), "{decision:?}");
+    assert_eq!(made.ruling(Order, "position"), Inconclusive);
 }
 
 #[test]
-fn rotation_of_a_single_point_has_no_order() {
-    let text = "name = \"point\"\nduration = 1.0\n[body]\npoints = [{ mass = 1.0, position = [0, 0, 0] }]\n\
-                [initial]\nangular_velocity = [0, 0, 0]\n";
-    let made = Made::new("free-asymmetric", SECOND);
-    let mut made =
-        Quantity::ALL.into_iter().fold(made, |made, quantity| made.with_errors(quantity, &power(2.0), 0.0));
-    assert_eq!(made.quantities("order").len(), 12);
-    made.scene = Scene::parse(text, "point.toml").expect("a scene");
-    let places =
-        ["position-end", "position-max", "velocity-end", "velocity-max", "body-point-end", "body-point-max"];
-    assert_eq!(made.quantities("order"), places);
+fn the_finest_run_comes_to_its_end_and_runs_after_a_broken_one_are_judged() {
+    let made = position(&power(2.0), ROUNDING);
+    for (broken, expected) in [(0, Pass), (3, Pass), (4, Inconclusive), (6, Inconclusive)] {
+        assert_eq!(made.clone().broken(broken).ruling(Order, "position"), expected, "{broken}");
+    }
+    let mut without = made.clone();
+    without.evidence.ladder.rungs.clear();
+    for made in [made.clone().broken(RUNS - 1), without] {
+        let of_order = |v: &Verdict| [Order, Converges, Constant].contains(&v.claim);
+        assert_eq!((made.ruling(Run, "all"), made.judge().iter().any(of_order)), (Broken, false));
+    }
+    assert!(made.quantities(Run).is_empty());
+}
+
+#[test]
+fn every_quantity_is_judged_but_what_is_promised_to_be_exact_and_the_rotation_of_a_point() {
+    let exact = |quantity, when| Claim::Exact(quantity, when);
+    let (place, turn) = (exact(POSITION, When::NoForce), exact(Quantity::Orientation, When::SteadySpin));
+    let names = |without: &[Quantity]| -> Vec<&str> {
+        let judged = Quantity::ALL.into_iter().filter(|quantity| !without.contains(quantity));
+        judged.map(Quantity::name).collect()
+    };
+    for (scene, more, without) in [
+        ("free-asymmetric", vec![], vec![]),
+        ("free-asymmetric", vec![place], vec![POSITION]),
+        // A promise that does not speak of the scene excuses nothing.
+        ("free-asymmetric", vec![turn], vec![]),
+        // A body point is exact where place and rotation are.
+        ("slow-sphere", vec![place, turn], vec![POSITION, Quantity::Orientation, Quantity::BodyPoint]),
+    ] {
+        let claims = [SECOND, &more].concat();
+        assert_eq!(Made::of_order(scene, &claims, 2.0).quantities(Order), names(&without), "{more:?}");
+    }
+    let rotation = [Quantity::Orientation, Quantity::AngularVelocity, Quantity::AngularMomentum];
+    let mut point = Made::of_order("gravity-drag", SECOND, 2.0);
+    point.evidence.setting.point = true;
+    point.evidence.ladder.arms.clear();
+    point.evidence.ladder.rungs.iter_mut().for_each(|rung| rung.errors[Quantity::Orientation].clear());
+    assert_eq!(point.quantities(Order), names(&rotation));
+    assert_eq!(point.ruling(Order, "body-point"), Pass);
+}
+
+#[test]
+fn a_body_point_is_off_by_place_and_rotation_together() {
+    // The position and, over √2, the first axis are off by opposite vectors: the end of the first arm of one metre is where it should be.
+    let shift = |h: f64| h * h;
+    let made = Made::new("kovalevskaya", SECOND)
+        .with(POSITION, |h, _| shift(h))
+        .with(Quantity::Orientation, |h, _| -shift(h) * std::f64::consts::FRAC_1_SQRT_2);
+    let rung = &made.evidence.ladder.rungs[1];
+    let points = rung.error(Quantity::BodyPoint, &made.evidence.ladder.arms);
+    // Three arms at four times: the first is right, the other two are shifted.
+    let expected = [0.0, 0.0, 0.0, 0.25, 0.0, 0.0, 0.25, 0.0, 0.0].repeat(4);
+    assert!(points.len() == 36 && points.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 1e-15));
+    assert_eq!(made.ruling(Order, "body-point"), Pass);
 }
 
 #[test]
 fn without_torque_the_order_is_that_claimed_for_it() {
     const CLAIMS: &[Claim] = &[Claim::Order(2), Claim::OrderWithoutTorque(4)];
-    for (scene, order) in [("free-asymmetric", 4.0), ("kovalevskaya", 2.0)] {
-        for slope in [2.0, 4.0] {
-            let made = Made::new(scene, CLAIMS).with_errors(Quantity::Position, &power(slope), 0.0);
-            assert_eq!(made.ruling("order", "position-end") == Pass, slope == order, "{scene}, {slope}");
-        }
-    }
-}
-
-fn recorded(quantity: &str, constant: Option<f64>) -> Baseline {
-    let (scene, scheme) = ("kovalevskaya".to_owned(), "made-up".to_owned());
-    let order = Order { scene, scheme, quantity: quantity.to_owned(), constant, ..Order::default() };
-    Baseline::from_records(&Records { orders: vec![order], ..Records::default() })
-}
-
-#[test]
-fn a_constant_on_record_excuses_no_slope() {
-    let mut made = Made::new("kovalevskaya", SECOND).with_errors(Quantity::Position, &power(3.0), 0.0);
-    let constant = made.evidence.ladders[0].constant;
-    assert!(constant.is_some());
-    made.baseline = recorded("position-end", constant);
-    assert_eq!([made.ruling("constant", "position-end"), made.ruling("order", "position-end")], [Pass, Fail]);
-}
-
-#[test]
-fn a_constant_is_that_on_record_to_five_percent() {
-    let at = |constant: f64| {
-        let mut made = Made::new("kovalevskaya", SECOND).with_errors(Quantity::Position, &power(2.0), 0.0);
-        made.evidence.ladders.iter_mut().for_each(|ladder| ladder.constant = Some(constant));
-        made.baseline = recorded("position-end", Some(4.0));
-        assert_eq!(made.quantities("constant"), ["position-end"]);
-        made.verdict("constant", "position-end")
-    };
-    assert_eq!([at(4.0), at(4.0 * 1.049), at(4.0 * 0.951)].map(|v| v.verdict), [Pass; 3]);
-    assert_eq!([at(4.0 * 1.051), at(4.0 * 0.949), at(f64::NAN), at(-4.0)].map(|v| v.verdict), [Fail; 4]);
-    assert_eq!(numbers(&at(5.0)), [Some(5.0), Some(4.0 * 0.95), Some(4.0 * 1.05)]);
-    assert!(at(5.0).detail.contains("ratio 1.2500"), "{}", at(5.0).detail);
-}
-
-#[test]
-fn a_record_is_of_one_scene_one_scheme_and_one_quantity() {
-    let baseline = recorded("position-end", Some(4.0));
-    assert_eq!(baseline.constant("kovalevskaya", "made-up", "position-end"), Some(4.0));
-    for (scene, scheme, quantity) in [
-        ("free-asymmetric", "made-up", "position-end"),
-        ("kovalevskaya", "euler", "position-end"),
-        ("kovalevskaya", "made-up", "position-max"),
+    for (scene, order, expected) in [
+        ("free-asymmetric", 2.0, Fail),
+        ("free-asymmetric", 4.0, Pass),
+        ("kovalevskaya", 1.0, Fail),
+        ("kovalevskaya", 2.0, Pass),
     ] {
-        assert_eq!(baseline.constant(scene, scheme, quantity), None);
+        assert_eq!(Made::of_order(scene, CLAIMS, order).ruling(Order, "position"), expected, "{scene}");
     }
-    assert_eq!(recorded("position-end", None).constant("kovalevskaya", "made-up", "position-end"), None);
-    assert!(Baseline::built_in().constant("kovalevskaya", "peskin-rk2", "body-point-end").is_some());
 }
 
 #[test]
-fn a_constant_that_is_gone_fails_where_an_error_vanished_that_the_record_makes_large() {
-    // On record an error of 4 h²; of the rungs one is looked at, at h = ½.
-    let at = |error: f64, floor: f64| {
-        let mut made = Made::new("kovalevskaya", SECOND);
-        let quantity = Quantity::Position;
-        let rungs = vec![(0.5, error, floor)];
-        let ladder =
-            QuantityLadder { quantity, place: Place::End, rungs, ladder: Ladder::Exact, constant: None };
-        made.evidence.ladders = vec![ladder];
-        made.baseline = recorded("position-end", Some(4.0));
-        made.ruling("constant", "position-end")
+fn a_scene_that_carries_no_order_has_no_verdict_on_one() {
+    let mut made = Made::of_order("kovalevskaya", SECOND, 1.0);
+    made.evidence.setting.not_for_order = Some("it is so".to_owned());
+    assert_eq!((made.quantities(Order), made.ruling(Order, "all")), (vec!["all".to_owned()], NotApplicable));
+    assert_eq!(made.ruling(Converges, "orientation"), Pass);
+}
+
+#[test]
+fn a_program_begins_at_the_start_of_the_scene_and_claims_an_order() {
+    // Thirty units in the last place, and thirty halves of the last digit that is printed.
+    for (printed, allowed) in [(0.0, 30.0 * f64::EPSILON), (0.5e-6, 30.0 * (f64::EPSILON + 0.5e-6))] {
+        let at = |program: bool, apart: f64| {
+            let mut made = Made::new("kovalevskaya", SECOND);
+            made.evidence.program = program;
+            made.evidence.ladder.printed = printed;
+            made.evidence.ladder.start[Quantity::Velocity] = apart;
+            made
+        };
+        assert!(at(true, allowed).quantities(Start).is_empty());
+        assert!(at(false, 2.0 * allowed).quantities(Start).is_empty());
+        let verdict = at(true, allowed * 1.001).verdict(Start, "velocity");
+        assert_eq!((verdict.verdict, verdict.high), (Fail, Some(allowed)));
+        assert_eq!(at(true, f64::NAN).ruling(Start, "velocity"), Fail);
+    }
+    for (claims, program, expected) in [
+        (&[] as &[Claim], true, vec!["all"]),
+        (&[], false, vec![]),
+        (&[Claim::SolvesAnotherMotion], true, vec!["all"]),
+    ] {
+        let mut made = Made::of_order("kovalevskaya", claims, 2.0);
+        made.evidence.program = program;
+        assert_eq!(made.quantities(Order), expected);
+        assert!(!program || made.ruling(Order, "all") == Inconclusive);
+    }
+}
+
+#[test]
+fn an_odd_number_of_steps_is_what_the_other_runs_make_of_it() {
+    let with = |mut made: Made, steps: u64, error: f64| {
+        let mut odd = rung(steps, 1);
+        odd.errors[POSITION][0] = error;
+        made.evidence.ladder.odd = vec![odd];
+        let failed = |v: &Verdict| v.claim == Converges && v.quantity == "position" && v.verdict == Fail;
+        made.judge().iter().any(failed)
     };
-    let floor = 1e-3;
-    assert_eq!([at(floor * 0.999, floor), at(0.0, floor)], [Inconclusive; 2]);
-    let floor = floor.next_down();
-    assert_eq!([at(floor, floor), at(0.0, floor), at(floor.next_up(), floor)], [Fail, Fail, Inconclusive]);
+    let second = |steps, error| with(position(&power(2.0), ROUNDING), steps, error);
+    // 49 steps lie between 32 and 64, whose errors are 1/16 and 1/64: up to twice their difference, over four times, from the coarser one.
+    let (coarse, apart) = (1.0 / 16.0, 2.0 * 3.0 / 64.0);
+    assert_eq!(
+        [0.0267, coarse + 2.0 * apart, coarse - 2.0 * apart].map(|error| second(49, error)),
+        [false; 3]
+    );
+    assert_eq!([coarse + 2.01 * apart, coarse - 2.01 * apart].map(|error| second(49, error)), [true; 2]);
+    // What is at its rounding otherwise is so here, in giant steps too where it is promised to be.
+    let exact = |claims: &[Claim], steps, error| with(Made::new("free-asymmetric", claims), steps, error);
+    let promised = &[Claim::Order(2), Claim::Exact(POSITION, When::NoForce)];
+    assert_eq!([exact(SECOND, 49, FLOOR), exact(SECOND, 49, 1.01 * FLOOR)], [false, true]);
+    assert_eq!(
+        [exact(SECOND, 7, 1.0), exact(promised, 7, 1.0), exact(promised, 7, FLOOR)],
+        [false, true, false]
+    );
+    // Of what is undecided nothing is asked.
+    assert!(!with(position(&power(2.0)[..3], ROUNDING), 49, 1.0));
+}
+
+/// The verdicts on the constant of a position, beside one on record.
+fn constant(made: &Made, change: impl FnOnce(&mut Recorded)) -> Vec<Ruling> {
+    let mut row = Recorded::of(made, POSITION);
+    change(&mut row);
+    let judged = made.clone().recorded(row).judge();
+    judged.into_iter().filter(|v| v.claim == Constant).map(|v| v.verdict).collect()
+}
+
+#[test]
+fn a_constant_is_that_on_record_to_one_percent() {
+    // The constant of h² is one.
+    let second = position(&power(2.0), ROUNDING);
+    let at = |known: f64| constant(&second, |row| row.constant = Some(known));
+    assert_eq!([at(1.0), at(1.0 / 1.0099), at(1.0 / 0.9901)], [[Pass]; 3]);
+    assert_eq!([at(1.0 / 1.0101), at(1.0 / 0.9899), at(-1.0), at(f64::NAN)], [[Fail]; 4]);
+    let mut row = Recorded::of(&second, POSITION);
+    row.constant = Some(4.0);
+    let verdict = second.clone().recorded(row).verdict(Constant, "position");
+    let expected = [1.0, 4.0 * 0.99, 4.0 * 1.01];
+    let shown = numbers(&verdict).map(|number| number.expect("a number"));
+    assert!(shown.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-12), "{shown:?}");
+    // A constant excuses no order.
+    let mut row = Recorded::of(&second, POSITION);
+    row.constant = Some(1.0);
+    let first = position(&power(1.0), ROUNDING).recorded(row);
+    assert_eq!([first.ruling(Constant, "position"), first.ruling(Order, "position")], [Pass, Fail]);
+    // Where an error has vanished the scheme is another; where it is undecided nothing is known.
+    let gone = |made: &Made| constant(made, |row| row.constant = Some(1.0));
+    assert_eq!(gone(&position(&[0.0; RUNS], ROUNDING)), [Fail]);
+    assert_eq!(gone(&position(&power(2.0)[..3], ROUNDING)), [Inconclusive]);
+}
+
+#[test]
+fn a_record_is_of_one_content_one_scheme_and_one_quantity() {
+    let made = position(&power(2.0), ROUNDING);
+    let at = |change: fn(&mut Recorded)| {
+        constant(&made, |row| {
+            row.constant = Some(1.0);
+            change(row);
+        })
+    };
+    assert_eq!(at(|_| ()), [Pass]);
+    let other =
+        scenes::built_in().iter().map(|scene| scene.content()).find(|c| *c != made.evidence.setting.content);
+    assert!(other.is_some());
+    assert!(at(|row| row.content.push('0')).is_empty() && at(|row| row.content.clear()).is_empty());
+    assert!(at(|row| row.scheme.push('0')).is_empty());
+    assert_eq!(at(|row| row.quantity = Quantity::Velocity), [Fail]);
+    assert!(at(|row| row.constant = None).is_empty());
+    assert!(Baseline::default().pairs().is_empty());
+}
+
+#[test]
+fn the_error_of_every_run_is_that_on_record_to_a_half_of_it() {
+    let second = position(&power(2.0), ROUNDING);
+    let at = |made: &Made, h: f64, known: f64| constant(made, |row| row.errors = vec![(h, known)]);
+    // 1/16 at h = 1/4: known to a half of itself and the floor.
+    let error = 1.0 / 16.0;
+    for (known, expected) in [
+        (error, vec![]),
+        (error / 1.499, vec![]),
+        (error / 1.501, vec![Fail]),
+        (error / 0.501, vec![]),
+        (error / 0.499, vec![Fail]),
+    ] {
+        assert_eq!(at(&second, 0.25, known), expected, "{known}");
+    }
+    // Nothing is on record of a step in between.
+    assert!(at(&second, 0.3, 7.0).is_empty());
+    // What is at its rounding is so whatever the record, and a run that broke is none.
+    let exact = position(&[FLOOR; RUNS], ROUNDING);
+    assert_eq!([at(&exact, 0.25, 0.0), at(&exact, 0.25, 1.0)], [vec![], vec![Fail]]);
+    assert_eq!(at(&second.clone().broken(0), 1.0, 1.0), [Fail]);
+    assert_eq!(at(&second.broken(0), 0.5, 0.25), []);
 }

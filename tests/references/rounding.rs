@@ -1,8 +1,8 @@
-//! The floor of rounding is measured by moved starts. What rounding really does is seen by running the same steps in a turned
+//! The floor of rounding is measured by copies of a run. What rounding really does is seen by running the same steps in a turned
 //! world: the motion is the same, every rounding is another.
 
 use nalgebra::Vector3;
-use polhode::internals::measure::{self, Evidence};
+use polhode::internals::measure::{self, Climbed};
 use polhode::internals::model::Change;
 use polhode::internals::reference::{Reference, stored};
 use polhode::internals::rotation;
@@ -12,20 +12,22 @@ use polhode::simulate::{Contestant, Form, Plan};
 
 use crate::common::contestant;
 
-/// Errors below this many floors are taken for rounding. Measured: 2.6 at most.
-const CLEAR: f64 = 10.0;
+/// Errors below this many floors are taken for rounding.
+const CLEAR: f64 = measure::CLEAR;
+
+/// What the iteration of an implicit equation may leave, relative: copies of a run do not show it, since they leave alike.
+const SOLVED_TO: f64 = 1e-12;
 
 /// Where a force has a kink a rounding may decide on which side a step ends.
 const KINK: &str = "bouncing-body";
 
 /// A ladder whose floors are those of rounding alone: against a reference that claims to know everything.
-fn ladder(scene: &Scene, contestant: &Contestant) -> (Reference, Evidence) {
+fn ladder(scene: &Scene, contestant: &Contestant) -> Climbed {
     let stored = stored::find(&scene.name).expect("readable");
     let mut reference =
         Reference::of(&scene.system, scene.duration, 64, stored.as_ref()).expect("a reference");
     reference.uncertainty.iter_mut().for_each(|uncertainty| *uncertainty = PerQuantity::all(0.0));
-    let evidence = measure::climb(contestant, &scene.system, &reference, 2, false);
-    (reference, evidence)
+    measure::climb(contestant, &scene.system, &reference, Some(2))
 }
 
 /// A run that is farther from the truth than this part of the body's size has gone another way, and so does what roundings become.
@@ -34,8 +36,8 @@ const FOLLOWS: f64 = 0.1;
 /// Largest difference of the finest run from itself in two turned worlds, over its floor; by quantity. `None` where it does not follow
 /// the truth.
 fn of_floor(scene: &Scene, contestant: &Contestant) -> Option<PerQuantity<f64>> {
-    let (_, evidence) = ladder(scene, contestant);
-    let rung = evidence.rungs.iter().rev().find(|rung| rung.outcome.broken.is_none())?;
+    let climbed = ladder(scene, contestant);
+    let rung = climbed.rungs.iter().rev().find(|rung| rung.outcome.broken.is_none())?;
     if rung.errors[Quantity::BodyPoint].max > FOLLOWS * scene.system.body.extent() {
         return None;
     }
@@ -49,7 +51,9 @@ fn of_floor(scene: &Scene, contestant: &Contestant) -> Option<PerQuantity<f64>> 
         for (quantity, apart) in apart {
             // A quantity that does not move at all has neither rounding nor a floor.
             if apart > 0.0 {
-                largest[quantity] = f64::max(largest[quantity], apart / rung.floors[quantity].end);
+                let left = rung.outcome.solves as f64 * SOLVED_TO * climbed.ladder.sizes[quantity];
+                let floor = rung.floors[quantity].end.max(left / CLEAR);
+                largest[quantity] = f64::max(largest[quantity], apart / floor);
             }
         }
     }

@@ -51,6 +51,7 @@ fn scene_row(index: usize) -> SceneRow {
     let free = index.is_multiple_of(3);
     SceneRow {
         name: format!("scene-{index:02}"),
+        content: format!("{index:02}"),
         title: format!("Scene {index}: a body <turned> by \"springs\" & gravity"),
         why: "position-dependent forces | what an order test on a free body cannot see".into(),
         duration_s: 8.0,
@@ -123,24 +124,26 @@ fn order(scene: usize, scheme: &SchemeRow, quantity: &str, unit: &str, rows: &[M
     let used: Vec<f64> =
         rows.iter().filter(|row| row.step_s < 0.1 && row.value > Some(1e-8)).map(|r| r.step_s).collect();
     let measured = f64::from(scheme.order) + 0.04 * (chance(&format!("{scene} {quantity}")) - 0.5);
-    let fitted = !exact && !unsettled && used.len() > 2;
-    let status = match (exact, unsettled, fitted) {
+    let decided = !exact && !unsettled && used.len() > 2;
+    let status = match (exact, unsettled, decided) {
         (true, ..) => OrderStatus::Exact,
-        (_, true, _) => OrderStatus::Unsettled,
-        (.., true) => OrderStatus::Fitted,
+        (_, true, _) => OrderStatus::Undecided,
+        (.., true) => OrderStatus::Decided,
         _ => OrderStatus::TooFew,
     };
     Order {
         scene: format!("scene-{scene:02}"),
         scheme: scheme.name.clone(),
-        quantity: format!("{quantity}-end"),
-        order: fitted.then_some(measured),
-        low: fitted.then_some(measured - 0.012),
-        high: fitted.then_some(measured + 0.012),
-        constant: fitted.then_some(0.3),
+        quantity: quantity.into(),
+        order: decided.then_some(measured),
+        low: decided.then_some(measured - 0.012),
+        high: decided.then_some(measured + 0.012),
+        r: decided.then_some(0.008),
+        until_s: decided.then_some(8.0),
+        constant: decided.then_some(0.3),
         rungs_used: used.len(),
         rungs_dropped: rows.len() - used.len(),
-        steps_used_s: if fitted { used } else { vec![] },
+        steps_used_s: if decided { used } else { vec![] },
         floor: Some(if exact {
             1e-15
         } else {
@@ -148,16 +151,16 @@ fn order(scene: usize, scheme: &SchemeRow, quantity: &str, unit: &str, rows: &[M
         }),
         unit: unit.into(),
         status,
-        why: (status != OrderStatus::Fitted).then(|| format!("{status}: slopes 1.5 to 2.2")),
+        why: (status != OrderStatus::Decided).then(|| format!("{status}: slopes 1.5 to 2.2")),
     }
 }
 
 fn verdict(scene: usize, scheme: &SchemeRow, claim: ClaimName, order: &Order) -> Verdict {
     let (ruling, detail) = match order.status {
-        OrderStatus::Fitted if scene == 9 => {
+        OrderStatus::Decided if scene == 9 => {
             (Ruling::Fail, "order 2.00 ± 0.01 outside 1 ± 0.15: 100 % wrong,\nsee the ladder")
         }
-        OrderStatus::Fitted => (Ruling::Pass, "inside the band"),
+        OrderStatus::Decided => (Ruling::Pass, "inside the band"),
         OrderStatus::Exact => (Ruling::NotApplicable, "exact: no order there"),
         _ if scene % 10 == 4 => (Ruling::Broken, "not finite at step 12, t = 3 s"),
         _ => (Ruling::Inconclusive, "slopes do not settle: 1.5 to 2.2"),

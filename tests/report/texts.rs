@@ -9,7 +9,7 @@ use super::synthetic::few;
 fn junit_tells_the_six_outcomes_apart() {
     let xml = report::junit(&few(&[3, 8, 9]));
     assert!(xml.contains("<testsuite name=\"scene-09\""));
-    assert!(xml.contains("name=\"peskin-rk2: order: orientation-end\""));
+    assert!(xml.contains("name=\"peskin-rk2: order: orientation\""));
     assert!(xml.contains("<failure message=\"order 2.00 ± 0.01 outside 1 ± 0.15"));
     assert!(xml.contains("<skipped message=\"inconclusive: slopes"));
     assert!(xml.contains("<skipped message=\"not applicable: exact"));

@@ -108,8 +108,8 @@ fn rows_that_name_no_known_scene_or_hold_no_number_make_a_report() {
         schema: SCHEMA.into(),
         measurements: [broken, not_a_number, Measurement::default()].map(Arc::new).into(),
         orders: vec![Order {
-            status: OrderStatus::Fitted,
-            quantity: "orientation-end".into(),
+            status: OrderStatus::Decided,
+            quantity: "orientation".into(),
             ..Order::default()
         }],
         drifts: vec![Drift::default()],

@@ -1,7 +1,7 @@
 //! RATTLE, Omelyan's leapfrog and the generalised-α method: orders under torque, and one step each against another formulation.
 
 use nalgebra::{Matrix3, Vector3};
-use polhode::internals::measure;
+use polhode::internals::measure::{self, Asked, Decision, decide};
 use polhode::internals::reference::{Reference, stored};
 use polhode::internals::rotation;
 use polhode::model::{Quantity, Snapshot, System};
@@ -27,12 +27,10 @@ fn their_order_is_two_under_torque() {
                 assert_eq!((scheme, name), ("rattle", "kovalevskaya"), "{reason}");
                 continue;
             }
-            let evidence = measure::climb(&contestant, &scene.system, &reference, 2, true);
-            for ladder in evidence.ladders.iter().filter(|l| l.quantity == Quantity::Orientation) {
-                let fit = ladder.fit().expect("a fit");
-                println!("{scheme} in {name}: {:.3}", fit.slope);
-                assert!(ladder.holds(2), "{scheme} in {name}: {fit:?}");
-            }
+            let climbed = measure::climb(&contestant, &scene.system, &reference, Some(2));
+            let decision = decide(&Asked::of(&climbed.ladder, Quantity::Orientation));
+            println!("{scheme} in {name}: {decision:?}");
+            assert!(matches!(decision, Decision::Order(found) if found.order == 2), "{scheme} in {name}");
         }
     }
 }

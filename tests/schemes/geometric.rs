@@ -1,7 +1,7 @@
 //! Geometric schemes: orders under torque, known errors, single steps against independent calculations, long runs.
 
 use nalgebra::{Matrix3, Vector3};
-use polhode::internals::measure::{self, Place};
+use polhode::internals::measure::{self, Asked, Decision, decide};
 use polhode::internals::model::AnyModel;
 use polhode::internals::ode::dop853;
 use polhode::internals::reference::stored::{self, Solution};
@@ -164,14 +164,10 @@ fn every_geometric_scheme_has_its_order_under_torque() {
         let reference =
             Reference::of(&scene.system, scene.duration, 16, stored.as_ref()).expect("a reference");
         for (scheme, order) in MEASURED {
-            let evidence = measure::climb(&contestant(scheme), &scene.system, &reference, *order, true);
-            let ladder = evidence
-                .ladders
-                .iter()
-                .find(|l| l.quantity == Quantity::Orientation && l.place == Place::End)
-                .expect("a ladder");
-            println!("{name} {scheme}: {:?} {:?}", ladder.fit().map(|f| f.slope), ladder.constant);
-            assert!(ladder.holds(*order), "{name} {scheme}: {:?}", ladder.ladder);
+            let climbed = measure::climb(&contestant(scheme), &scene.system, &reference, Some(*order));
+            let decision = decide(&Asked::of(&climbed.ladder, Quantity::Orientation));
+            println!("{name} {scheme}: {decision:?}");
+            assert!(matches!(decision, Decision::Order(found) if found.order == *order), "{name} {scheme}");
         }
     }
 }
@@ -195,8 +191,8 @@ fn coarse_order(scheme: &str, scene: &Scene, clear: f64) -> f64 {
         }
         errors.push((plan.step, error));
     }
-    let fine = &errors[errors.len() - 3..];
-    polhode::internals::measure::regression::fit_power(fine).expect("a slope").slope
+    let [coarse, _, fine] = errors[errors.len() - 3..] else { panic!("fewer than three errors") };
+    (coarse.1 / fine.1).ln() / (coarse.0 / fine.0).ln()
 }
 
 #[test]

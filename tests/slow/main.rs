@@ -13,6 +13,7 @@ mod known;
 #[path = "../report/synthetic.rs"]
 mod synthetic;
 
+mod equal_work;
 mod million_radians;
 mod planted_defects;
 mod random_scenes;

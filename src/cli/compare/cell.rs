@@ -5,8 +5,6 @@ use super::row::{Row, Standing};
 use super::side::Side;
 use crate::record::{Drift, DriftClass, Measurement, Order, OrderStatus, RunStatus};
 
-/// Orders that differ by no more than this are the same.
-const SAME_ORDER: f64 = 0.15;
 /// A larger constant than this, relative, is worse.
 const SAME_CONSTANT: f64 = 1.05;
 /// A larger drift than this is worse: rates are steady to 4 % on either side. The same for errors between two runs.
@@ -114,13 +112,13 @@ impl<'a> Cell<'a> {
         let at_equal_work = match (ratio, orders) {
             (Some(ratio), Some((order, _))) => Some(ratio * self.work_ratio().powf(order)),
             _ if before.status == OrderStatus::Exact && after.status == OrderStatus::Exact => None,
-            _ => self.errors_at_equal_work(&before.quantity),
+            _ => self.errors_at_equal_work(&format!("{}-end", before.quantity)),
         };
         let lost = self.before_and_after && before.order.is_some() && after.order.is_none();
         let broke = after.status == OrderStatus::Broken && before.status != OrderStatus::Broken;
         let standing = match orders {
-            Some((a, b)) if b < a - SAME_ORDER => Standing::Worse,
-            Some((a, b)) if b > a + SAME_ORDER => Standing::Better,
+            Some((a, b)) if b.round() < a.round() => Standing::Worse,
+            Some((a, b)) if b.round() > a.round() => Standing::Better,
             Some(_) if ratio.is_some() => {
                 at_equal_work.map_or(Standing::Undecided, |r| Standing::of_ratio(r, SAME_CONSTANT))
             }
@@ -174,8 +172,8 @@ impl<'a> Cell<'a> {
             (None, _, _) | (_, None, _) => Standing::Undecided,
             (Some(a), Some(b), _) if b > a => Standing::Worse,
             (Some(a), Some(b), _) if b < a => Standing::Better,
-            (_, _, Some((a, b))) if b < a - SAME_ORDER => Standing::Worse,
-            (_, _, Some((a, b))) if b > a + SAME_ORDER => Standing::Better,
+            (_, _, Some((a, b))) if b.round() < a.round() => Standing::Worse,
+            (_, _, Some((a, b))) if b.round() > a.round() => Standing::Better,
             _ if before.class == DriftClass::Exact => Standing::Same,
             _ => at_equal_work.map_or(Standing::Undecided, |r| Standing::of_ratio(r, SAME_DRIFT)),
         };

@@ -1,6 +1,7 @@
-//! `polhode engine`: write a minimal engine, hold one against the protocol, and compare some with one another.
+//! `polhode engine`: write a minimal engine, hold one against the protocol or the contract, and compare some with one another.
 
 mod compare;
+mod contract;
 
 use std::path::PathBuf;
 
@@ -23,10 +24,19 @@ const EXAMPLES: &str = "\
 Examples:
   polhode engine new --language python --out engine.py
   polhode engine check 'python3 engine.py'
+  polhode engine check --contract 'python3 engine.py'
   polhode gate --scheme 'engine:python3 engine.py' --scene free-asymmetric
   polhode engine compare --scheme 'engine:python3 engine.py' --scheme peskin-rk2 --scene free-asymmetric
 
 Exit code of a check: 0 the engine keeps to the protocol, 1 it does not, 69 it cannot be run.";
+
+const CHECK_EXAMPLES: &str = "\
+Examples:
+  polhode engine check 'python3 engine.py'
+  polhode engine check --contract 'python3 engine.py'
+
+Exit code: 0 the engine keeps to the protocol, or every clause of the contract that applies holds; 1 a rule or a clause \
+is broken; 2 no clause applies; 69 the engine cannot be run.";
 
 #[derive(Clone, Debug, Subcommand)]
 enum What {
@@ -39,8 +49,14 @@ enum What {
         #[arg(long, value_name = "FILE")]
         out: Option<PathBuf>,
     },
-    /// Hold an engine against the protocol, line by line
+    /// Hold an engine against the protocol, line by line, or against the contract, clause by clause
+    #[command(after_help = CHECK_EXAMPLES)]
     Check {
+        /// Check what every engine must do whatever its scheme, in place of the protocol: a step of zero length, a run
+        /// in two parts, a restart, the same request twice and by two processes, slow motions, energies, and one body
+        /// described in three ways
+        #[arg(long)]
+        contract: bool,
         /// The command line that starts it, quoted, or after --; with or without 'engine:' before it
         #[arg(value_name = "COMMAND LINE", required = true, num_args = 1..)]
         command: Vec<String>,
@@ -68,7 +84,8 @@ pub(super) fn engine(options: &Options, quiet: bool) -> Result<u8, Failure> {
             }
             Ok(0)
         }
-        What::Check { command } => check(&line(command)),
+        What::Check { contract: true, command } => contract::check(&line(command)),
+        What::Check { contract: false, command } => check(&line(command)),
         What::Compare(options) => compare::compare(options, quiet),
     }
 }

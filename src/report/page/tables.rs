@@ -62,8 +62,7 @@ pub(super) struct OrderSummary {
 
 /// The quantities that head the columns, and the rows under them.
 pub(super) fn order_summary(records: &Records) -> (Vec<String>, Vec<OrderSummary>) {
-    let at_end = records.orders.iter().map(|row| row.quantity.as_str()).filter(|name| name.ends_with("-end"));
-    let quantities = survey::distinct(at_end);
+    let quantities = survey::distinct(records.orders.iter().map(|row| row.quantity.as_str()));
     let mut rows = Vec::new();
     for scene in survey::scenes(records) {
         for scheme in survey::schemes(records) {
@@ -83,7 +82,7 @@ pub(super) fn order_summary(records: &Records) -> (Vec<String>, Vec<OrderSummary
 /// An order with its interval, or why there is none.
 pub(super) fn order_words(order: &Order) -> String {
     match order.status {
-        OrderStatus::Fitted => number::order(order.order, order.low, order.high),
+        OrderStatus::Decided => number::order(order.order, order.low, order.high),
         status => status.word().replace('-', " "),
     }
 }

@@ -171,7 +171,7 @@ fn label(palette: &Palette, panel: &Panel, curve: &Curve) -> Option<Label> {
 /// What stands at a curve's end: its order with the interval, or why it has none.
 pub(super) fn label_words(curve: &Curve) -> String {
     match curve.order {
-        Some(fit) if fit.status == OrderStatus::Fitted => number::order(fit.order, fit.low, fit.high),
+        Some(fit) if fit.status == OrderStatus::Decided => number::order(fit.order, fit.low, fit.high),
         Some(fit) => fit.status.word().replace('-', " "),
         None => "no fit".into(),
     }

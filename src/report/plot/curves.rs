@@ -91,10 +91,9 @@ impl Quantity<'_> {
 pub(super) fn at_the_end<'a>(records: &'a Records, scene: &str) -> Vec<Quantity<'a>> {
     let here: Vec<&Measurement> =
         records.measurements.iter().map(Arc::as_ref).filter(|row| row.scene == scene).collect();
-    let fitted = records.orders.iter().filter(|row| row.scene == scene).map(|row| row.quantity.as_str());
     let measured = here.iter().map(|row| row.metric.as_str());
     let usual = |name: &&str| USUAL.contains(name);
-    let names = fitted.filter_map(base).chain(measured.filter_map(base).filter(usual));
+    let names = measured.filter_map(base).filter(usual);
     let mut names = survey::distinct(names);
     names.sort_by_key(|name| USUAL.iter().position(|usual| usual == name).unwrap_or(USUAL.len()));
     names.into_iter().filter_map(|name| quantity(records, scene, name, &here)).collect()

@@ -21,7 +21,10 @@ const QUANTITIES: [&str; 2] = ["orientation-end", "body-point-end"];
 /// The picture; `None` where no order was fitted.
 pub(super) fn sketch(records: &Records, palette: &Palette) -> Option<Sketch> {
     let fitted = |quantity: &&str| {
-        records.orders.iter().any(|row| row.quantity == **quantity && row.status == OrderStatus::Fitted)
+        records
+            .orders
+            .iter()
+            .any(|row| row.quantity == survey::base(quantity) && row.status == OrderStatus::Decided)
     };
     let quantity = QUANTITIES.into_iter().find(fitted)?;
     let scenes = ordered_scenes(records);
@@ -49,9 +52,7 @@ pub(super) fn sketch(records: &Records, palette: &Palette) -> Option<Sketch> {
 /// The scenes in which some order was fitted.
 fn ordered_scenes(records: &Records) -> Vec<&str> {
     let fitted = |scene: &&str| {
-        records.orders.iter().any(|row| {
-            row.scene == **scene && row.status == OrderStatus::Fitted && row.quantity.ends_with("-end")
-        })
+        records.orders.iter().any(|row| row.scene == **scene && row.status == OrderStatus::Decided)
     };
     let set_apart =
         |scene: &&str| records.scenes.iter().any(|row| row.name == **scene && row.not_for_order.is_some());

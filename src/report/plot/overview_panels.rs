@@ -70,8 +70,11 @@ pub(super) fn draw_errors(
     panel.draw_frame(sketch);
     panel.label_x(sketch, "step h [s]");
     panel.label_y(sketch);
-    let unit =
-        records.orders.iter().find(|row| row.quantity == shown.1).map_or("rad", |row| row.unit.as_str());
+    let unit = records
+        .orders
+        .iter()
+        .find(|row| row.quantity == survey::base(shown.1))
+        .map_or("rad", |row| row.unit.as_str());
     let words = survey::quantity_words(shown.1);
     let which = if few { "a line a scene" } else { typical };
     panel.title(sketch, &format!("Error in {words} at the end [{unit}], {which}"));
@@ -171,13 +174,13 @@ fn draw_column(
         sketch.line(vec![(panel.frame.left, y), (panel.frame.right, y)], GRID, 2.0);
         let here = |order: &&Order| {
             let claimed = survey::claimed_order(records, &order.scheme) == Some(claim);
-            claimed && order.scene == *scene && order.status == OrderStatus::Fitted
+            claimed && order.scene == *scene && order.status == OrderStatus::Decided
         };
         // The quantity that stands for the scene comes last and so lies on top.
         let mut orders: Vec<&Order> = records.orders.iter().filter(here).collect();
-        orders.sort_by_key(|order| order.quantity == quantity);
+        orders.sort_by_key(|order| order.quantity == survey::base(quantity));
         for order in orders {
-            draw_order(sketch, palette, panel, (order, row), order.quantity == quantity);
+            draw_order(sketch, palette, panel, (order, row), order.quantity == survey::base(quantity));
         }
     }
 }

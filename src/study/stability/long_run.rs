@@ -5,7 +5,7 @@
 use super::failure::Axis;
 use super::theory;
 use super::truth::settled_axis;
-use crate::measure::regression::fit_power;
+use crate::measure::slope;
 use crate::model::{Snapshot, System};
 use crate::record::stability::{EnergyRate, LongRun, LongRunClass};
 use crate::rotation;
@@ -100,10 +100,10 @@ fn growth_power(samples: &Samples) -> Option<f64> {
     for (n, change) in samples.at_step.iter().zip(&samples.change) {
         envelope = envelope.max(change.abs());
         if *n as f64 >= last / 100.0 && envelope > 0.0 {
-            points.push((*n as f64, envelope));
+            points.push(((*n as f64).ln(), envelope.ln()));
         }
     }
-    (points.len() > 8).then(|| fit_power(&points)).flatten().map(|fit| fit.slope)
+    (points.len() > 8).then(|| slope(&points))
 }
 
 fn class(samples: &Samples, power: Option<f64>, broken: bool) -> LongRunClass {

@@ -31,22 +31,4 @@ macro_rules! words {
     };
 }
 
-pub(super) use words;
-
-#[cfg(test)]
-mod tests {
-    use crate::record::{ClaimName, DriftClass, OrderStatus, Ruling, RunStatus};
-
-    #[test]
-    fn a_file_has_the_word_of_a_value() {
-        let text = |json: serde_json::Result<String>| json.expect("JSON");
-        for claim in ClaimName::ALL {
-            assert_eq!(text(serde_json::to_string(&claim)), format!("\"{claim}\""));
-        }
-        assert_eq!(text(serde_json::to_string(&Ruling::NotApplicable)), "\"not-applicable\"");
-        assert_eq!(text(serde_json::to_string(&RunStatus::Broken)), "\"broken\"");
-        assert_eq!(serde_json::from_str::<OrderStatus>("\"too-few\"").ok(), Some(OrderStatus::TooFew));
-        assert_eq!(serde_json::from_str::<DriftClass>("\"secular\"").ok(), Some(DriftClass::Secular));
-        assert!(serde_json::from_str::<ClaimName>("\"no-such-claim\"").is_err());
-    }
-}
+pub(crate) use words;

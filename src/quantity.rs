@@ -1,13 +1,66 @@
-//! A value for each quantity.
+//! The six quantities whose errors have an order, and a value for each of them.
 
 use std::array;
 use std::iter::Zip;
 use std::ops::{Index, IndexMut};
 
-use super::Quantity;
+use serde::{Deserialize, Serialize};
+
+/// A quantity whose error against the reference has an order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Quantity {
+    /// X_cm [m].
+    Position,
+    /// U_cm [m/s].
+    Velocity,
+    /// Angle of the relative rotation [rad]; of the axis for a rod.
+    Orientation,
+    /// Ω [rad/s].
+    AngularVelocity,
+    /// L [kg m²/s].
+    AngularMomentum,
+    /// Largest error of a point of the body [m]: this one exists for every body.
+    BodyPoint,
+}
+
+impl Quantity {
+    /// All quantities, in the order of reports.
+    pub const ALL: [Quantity; 6] = [
+        Quantity::Position,
+        Quantity::Velocity,
+        Quantity::Orientation,
+        Quantity::AngularVelocity,
+        Quantity::AngularMomentum,
+        Quantity::BodyPoint,
+    ];
+
+    /// Name in records.
+    pub fn name(self) -> &'static str {
+        match self {
+            Quantity::Position => "position",
+            Quantity::Velocity => "velocity",
+            Quantity::Orientation => "orientation",
+            Quantity::AngularVelocity => "angular-velocity",
+            Quantity::AngularMomentum => "angular-momentum",
+            Quantity::BodyPoint => "body-point",
+        }
+    }
+
+    /// Unit of its error.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Quantity::Position | Quantity::BodyPoint => "m",
+            Quantity::Velocity => "m/s",
+            Quantity::Orientation => "rad",
+            Quantity::AngularVelocity => "rad/s",
+            Quantity::AngularMomentum => "kg m²/s",
+        }
+    }
+}
 
 /// A value for each quantity, found by the quantity: `errors[Quantity::Orientation]`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PerQuantity<T>([T; Quantity::ALL.len()]);
 
 impl<T> PerQuantity<T> {
