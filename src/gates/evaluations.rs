@@ -11,7 +11,7 @@ pub(super) fn judge(evidence: &Evidence, claimed: u32) -> Verdict {
     let whole: Vec<_> = evidence.ladder.rungs.iter().filter(|rung| rung.broken.is_none()).collect();
     let Some(last) = whole.last() else {
         let detail = "every run of the ladder broke";
-        return ruled(evidence, ClaimName::Evaluations, "evaluations", Ruling::Broken, detail);
+        return ruled(evidence, ClaimName::Evaluations, "evaluations", Ruling::NotApplicable, detail);
     };
     let beginning = last.evaluations.wrapping_sub(u64::from(claimed) * last.steps);
     let holds = beginning <= MOST_AT_BEGINNING

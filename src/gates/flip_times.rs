@@ -5,7 +5,7 @@
 
 use super::ruled;
 use crate::measure::flips::{flip_order, is_complete};
-use crate::measure::{Asked, Decision, Doubt};
+use crate::measure::{Asked, BELOW, Decision, Doubt};
 use crate::model::Quantity;
 use crate::record::{ClaimName, Evidence, Ruling, Verdict};
 
@@ -24,7 +24,7 @@ pub(super) fn judge(evidence: &Evidence) -> Verdict {
     let fine = &flips.rungs[flips.rungs.len().saturating_sub(COUNTED)..];
     let open = rounding(evidence);
     let decision = flip_order(flips, open);
-    if matches!(decision, Decision::Undecided(Doubt::Open { .. })) {
+    if open > BELOW || matches!(decision, Decision::Undecided(Doubt::Open { .. })) {
         return rule(
             Ruling::Inconclusive,
             format!("rounding leaves {open:.1e} rad open: whether and when the body flips is not known"),

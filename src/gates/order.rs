@@ -70,17 +70,20 @@ pub(super) fn judge(evidence: &Evidence, baseline: &Baseline) -> Vec<Verdict> {
     verdicts
 }
 
-/// The verdict where no run came to its end, or the finest did not.
+/// The verdict where no run came to its end, or the finest did not. An implicit equation that is not solved says that every step tried is too
+/// large, and nothing of the limit h → 0.
 fn all_broke(evidence: &Evidence) -> Option<Verdict> {
-    let finest = evidence.ladder.rungs.last();
-    let broken = |why: &str| {
-        let at = finest.map_or(String::new(), |rung| format!(", at the finest step of {:.1e} s", rung.step));
-        ruled(evidence, ClaimName::Run, "all", Ruling::Broken, format!("{why}{at}"))
+    let broken = |ruling, why: String| ruled(evidence, ClaimName::Run, "all", ruling, why);
+    let Some(finest) = evidence.ladder.rungs.last() else {
+        return Some(broken(Ruling::Broken, "no run".to_owned()));
     };
-    match finest {
-        None => Some(broken("no run")),
-        Some(rung) => rung.broken.as_deref().map(broken),
-    }
+    let why = finest.broken.as_deref()?;
+    let detail = format!("{why}, at the finest step of {:.1e} s", finest.step);
+    Some(if finest.unsolved {
+        broken(Ruling::Inconclusive, format!("{detail}: a smaller step would decide it"))
+    } else {
+        broken(Ruling::Broken, detail)
+    })
 }
 
 /// Rotation of a single point is no quantity.
@@ -241,8 +244,9 @@ fn judge_constant(
     let known = baseline.find(&evidence.setting.content, &evidence.known_as, name)?.constant?;
     let rule = |ruling, detail| ruled(evidence, ClaimName::Constant, name, ruling, detail);
     let Decision::Order(found) = decision else {
-        let vanished = *decision == Decision::Exact;
-        let ruling = if vanished { Ruling::Fail } else { Ruling::Inconclusive };
+        // Exact or another motion: the error is not that of the record.
+        let other = !matches!(decision, Decision::Undecided(_));
+        let ruling = if other { Ruling::Fail } else { Ruling::Inconclusive };
         return Some(rule(ruling, format!("constant {known:.4e} on record, none measured")));
     };
     let (constant, change) = (found.constant, CONSTANT_CHANGE);

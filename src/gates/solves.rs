@@ -7,7 +7,7 @@ pub(super) fn judge(evidence: &Evidence, claimed: u32) -> Verdict {
     let mut whole = evidence.ladder.rungs.iter().filter(|rung| rung.broken.is_none()).peekable();
     let Some(first) = whole.peek() else {
         let detail = "every run of the ladder broke";
-        return ruled(evidence, ClaimName::Solves, "solves", Ruling::Broken, detail);
+        return ruled(evidence, ClaimName::Solves, "solves", Ruling::NotApplicable, detail);
     };
     let iterations = first.iterations as f64 / first.solves.max(1) as f64;
     let measured = first.solves as f64 / first.steps as f64;

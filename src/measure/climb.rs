@@ -17,7 +17,7 @@ const FINE: u64 = 2048;
 /// … after so many runs at least.
 const FEWEST_RUNGS: usize = 6;
 /// Steps after which a ladder that is not decided ends, …
-const MOST_STEPS: u64 = 1 << 15;
+const MOST_STEPS: u64 = 1 << 17;
 /// … or after so many halvings, where its first run has many steps.
 const MOST_HALVINGS: u32 = 10;
 /// Order from which on there is a run between any two halvings: few of them lie between errors of the size of the motion and rounding.

@@ -6,7 +6,7 @@ use super::copies::{self, COPIES};
 use super::order::{Asked, CLEAR, Decision, Run, decide};
 use super::{ALL, FOLLOWS, Reading, Sight, errors};
 use crate::model::body::{Body, Shape};
-use crate::model::{PerQuantity, Quantity, Snapshot, System};
+use crate::model::{Broken, PerQuantity, Quantity, Snapshot, System};
 use crate::record::{self, length, to_digits};
 use crate::reference::Reference;
 use crate::rotation;
@@ -190,6 +190,10 @@ impl<'a> Truth<'a> {
             step: plan.step,
             steps: plan.steps,
             broken: outcome.broken.as_ref().map(ToString::to_string),
+            unsolved: outcome
+                .broken
+                .as_ref()
+                .is_some_and(|broken| matches!(broken.why, Broken::NoConvergence { .. })),
             evaluations: outcome.evaluations,
             solves: outcome.solves,
             iterations: outcome.iterations,
@@ -247,7 +251,8 @@ fn vector(body: &Body, quantity: Quantity, a: &Snapshot, b: &Snapshot) -> Vec<f6
         (Quantity::Velocity, _) => of(a.velocity - b.velocity),
         (Quantity::AngularVelocity, _) => of(a.angular_velocity - b.angular_velocity),
         (Quantity::AngularMomentum, _) => of(a.angular_momentum - b.angular_momentum),
-        (Quantity::BodyPoint, _) | (Quantity::Orientation, Shape::Point) => Vec::new(),
+        (Quantity::BodyPoint, _) => Vec::new(),
+        (Quantity::Orientation, Shape::Point) => vec![0.0],
         (Quantity::Orientation, shape) => {
             let turn = a.orientation.to_rotation_matrix().into_inner()
                 - b.orientation.to_rotation_matrix().into_inner();

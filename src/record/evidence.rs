@@ -127,6 +127,9 @@ pub struct Rung {
     /// Why the run broke, if it did.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub broken: Option<String>,
+    /// Whether it broke where an implicit equation was not solved: its step is too large for the iteration.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub unsolved: bool,
     /// Evaluations of the forces.
     pub evaluations: u64,
     /// Implicit equations that were solved, …

@@ -25,26 +25,18 @@ pub(super) const METRICS: &[Row] = &[
     ("angle in degrees", Plant::Metric(|s| s.scaled(Quantity::Orientation, 57.295_779_513_082_32)), FREE),
     ("angle of the half quaternion", Plant::Metric(|s| s.scaled(Quantity::Orientation, 0.5)), FREE),
     ("the largest so far for each", Plant::Metric(largest_so_far), FREE),
-    ("the last for all", Plant::Metric(|s| s.from_samples(|all, _| all[all.len() - 1].to_vec())), FREE),
+    ("the last for all", Plant::Metric(|s| s.of_samples(|all, _| all[all.len() - 1].to_vec())), FREE),
     ("the mean for all", Plant::Metric(mean), FREE),
-    (
-        "the reference one sample late",
-        Plant::Metric(|s| s.between(|run| late(run), <[Snapshot]>::to_vec)),
-        FREE,
-    ),
-    (
-        "the run one sample late",
-        Plant::Metric(|s| s.between(<[Snapshot]>::to_vec, |truth| late(truth))),
-        FREE,
-    ),
+    ("the reference one sample late", Plant::Metric(|s| s.between(late, <[Snapshot]>::to_vec)), FREE),
+    ("the run one sample late", Plant::Metric(|s| s.between(<[Snapshot]>::to_vec, late)), FREE),
     (
         "the last sample left out",
-        Plant::Metric(|s| s.from_samples(|all, index| all[index.min(all.len() - 2)].to_vec())),
+        Plant::Metric(|s| s.of_samples(|all, index| all[index.min(all.len() - 2)].to_vec())),
         FREE,
     ),
     (
         "the first half of the run alone",
-        Plant::Metric(|s| s.from_samples(|all, index| all[index.min(all.len() / 2)].to_vec())),
+        Plant::Metric(|s| s.of_samples(|all, index| all[index.min(all.len() / 2)].to_vec())),
         FREE,
     ),
     (
@@ -87,7 +79,7 @@ impl Seen<'_> {
     }
 
     /// The vector of each sample time from those of all.
-    fn from_samples(&self, change: impl Fn(&[&[f64]], usize) -> Vec<f64>) -> Vectors {
+    fn of_samples(&self, change: impl Fn(&[&[f64]], usize) -> Vec<f64>) -> Vectors {
         PerQuantity::of(|quantity| {
             let right = &self.right[quantity];
             let all: Vec<&[f64]> = right.chunks((right.len() / self.truth.len()).max(1)).collect();
@@ -131,14 +123,14 @@ fn acos(seen: &Seen) -> Vectors {
 }
 
 fn largest_so_far(seen: &Seen) -> Vectors {
-    seen.from_samples(|all, index| {
+    seen.of_samples(|all, index| {
         let so_far = all[..=index].iter().max_by(|a, b| length(a).total_cmp(&length(b)));
         so_far.map_or_else(Vec::new, |vector| vector.to_vec())
     })
 }
 
 fn mean(seen: &Seen) -> Vectors {
-    seen.from_samples(|all, _| {
+    seen.of_samples(|all, _| {
         let sum = |part: usize| all.iter().map(|vector| vector[part]).sum::<f64>();
         (0..all[0].len()).map(|part| sum(part) / all.len() as f64).collect()
     })

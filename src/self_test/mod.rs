@@ -5,6 +5,7 @@
 //! it.
 
 mod copy;
+mod faint;
 mod flaw;
 pub mod judges;
 pub mod ladders;
@@ -96,6 +97,7 @@ fn defects() -> Vec<Defect> {
         scenes: &SCENES,
     });
     let others = [
+        ("scheme", faint::FAINT),
         ("law", planted::LAWS),
         ("start", planted::STARTS),
         ("shown", planted::SHOWN),

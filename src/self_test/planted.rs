@@ -8,12 +8,15 @@ use crate::model::forces::{Forces, Law, TorqueAxes};
 use crate::model::{PerQuantity, Snapshot, System};
 use crate::reference::Reference;
 use crate::rotation;
+use crate::simulate::Contestant;
 
 /// How a defect is planted.
 #[derive(Clone, Copy)]
 pub(super) enum Plant {
     /// A flaw of the copy of the scheme.
     Scheme(super::flaw::Flaw),
+    /// Another scheme in the place of one, under its name.
+    Other(fn() -> Contestant),
     /// The scheme runs under other laws than those that it is judged in.
     Law(fn(&mut Law)),
     /// It starts elsewhere.

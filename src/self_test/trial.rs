@@ -20,6 +20,7 @@ const SAMPLES: usize = 64;
 pub(super) fn verdicts(plant: &Plant, scene: &str) -> Vec<Verdict> {
     match *plant {
         Plant::Scheme(flaw) => judge(copy::contestant(flaw), scene),
+        Plant::Other(contestant) => judge(contestant(), scene),
         Plant::Law(change) => judge(bent(move |system| planted::under(system, change), |_, _| ()), scene),
         Plant::Start(change) => {
             let other = move |system: &System| {

@@ -36,7 +36,7 @@ impl Form {
 /// Most steps of a run of a scheme …
 const MOST_STEPS: u64 = 1 << 20;
 /// … and of a foreign program, whose steps may cost a thousand times more.
-const MOST_FOREIGN_STEPS: u64 = 1 << 17;
+const MOST_FOREIGN_STEPS: u64 = 1 << 15;
 
 type Refusal = dyn Fn(&System) -> Option<String> + Send + Sync;
 type Who = dyn Fn() -> Program + Send + Sync;

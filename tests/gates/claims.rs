@@ -168,3 +168,31 @@ fn a_rule_that_prefers_an_axis_or_a_unit_is_found_in_another_world() {
     assert!(axis.contains(&"turned".to_owned()) && axis.contains(&"binary-units".to_owned()), "{axis:?}");
     assert_eq!(failed(Contestant::new::<Flawed<NONE>>()), [""; 0]);
 }
+
+#[test]
+fn an_order_that_is_claimed_one_too_low_fails_in_every_generic_scene() {
+    let generic = ["free-asymmetric", "heavy-asymmetric-top", "tether-springs"].map(scene);
+    let low: Vec<Contestant> = Contestant::all()
+        .into_iter()
+        .filter(|contestant| contestant.card.order_without_torque().min(contestant.card.order()) > 1)
+        .map(|mut contestant| {
+            let (order, free) = (contestant.card.order(), contestant.card.order_without_torque());
+            let claims = vec![Claim::Order(order - 1), Claim::OrderWithoutTorque(free - 1)];
+            contestant.card.claims = claims.leak();
+            contestant
+        })
+        .collect();
+    let campaign = Campaign { baseline: Baseline::default(), ..Campaign::of(generic.to_vec(), low.clone()) };
+    let verdicts = campaign.run().verdicts;
+    let mut judged = 0;
+    for (contestant, scene) in low.iter().flat_map(|one| generic.iter().map(move |scene| (one, scene))) {
+        let own: Vec<&Verdict> =
+            verdicts.iter().filter(|v| v.scheme == contestant.card.name && v.scene == scene.name).collect();
+        let of_order = |wanted: Ruling| own.iter().any(|v| v.claim.word() == "order" && v.verdict == wanted);
+        if of_order(Ruling::Pass) {
+            judged += 1;
+            assert!(of_order(Ruling::Fail), "{} in {}: {own:#?}", contestant.card.name, scene.name);
+        }
+    }
+    assert!(judged > 90, "{judged}");
+}

@@ -128,8 +128,8 @@ fn one_flip_more_or_less_is_the_same_at_the_end_of_the_run_and_nowhere_else() {
 #[test]
 fn flips_that_are_not_known_are_not_judged() {
     let mut made = late(&[0.0; RUNS]);
-    // A tenth of the duration: 5 s are left open by ten times an angle over the slowest rate, 0.5 rad/s.
-    for (open, expected) in [(0.24, Pass), (0.26, Inconclusive)] {
+    // Rounding leaves a tenth of a radian open.
+    for (open, expected) in [(0.1, Pass), (0.11, Inconclusive)] {
         made.evidence.ladder.rungs[7].rounding[Quantity::Orientation].fill(open);
         assert_eq!(ruling(&made), expected, "{open}");
     }

@@ -81,7 +81,7 @@ fn runs_that_converge_elsewhere_fail_in_every_scene_but_where_that_is_claimed() 
 #[test]
 fn what_is_undecided_is_inconclusive_with_its_doubt_and_what_is_exact_has_no_order() {
     let first_three = |k: usize, h: f64| if k < 3 { h * h } else { 0.02 };
-    let doubled = |k: usize, h: f64| if k % 2 == 0 { h } else { 2.0 * h };
+    let doubled = |k: usize, h: f64| if k.is_multiple_of(2) { h } else { 2.0 * h };
     let errors = |of: &dyn Fn(usize, f64) -> f64| -> [f64; RUNS] {
         let steps = power(1.0);
         std::array::from_fn(|k| of(k, steps[k]))
