@@ -93,14 +93,19 @@ fn evidence(scene: &Scene, reference: &Reference, contestant: &Contestant, climb
 pub(crate) fn unmeasured(scene: &Scene, contestant: &Contestant) -> Evidence {
     let system = &scene.system;
     let (constant_force, no_force) = system.constant_force();
+    let content = scene.content();
+    // A copy in a file is the same scene; an edited one is another that has its name.
+    let same = |own: Scene| own.built_in && own.content() == content;
+    let built_in = scene.built_in || Scene::find(&scene.name).is_ok_and(same);
     Evidence {
         scene: scene.name.clone(),
         scheme: contestant.card.name.to_owned(),
         model: contestant.model(system).to_owned(),
         setting: Setting {
-            content: scene.content(),
+            content,
             not_for_order: scene.not_for_order.clone(),
-            generic: scene.built_in && GENERIC.contains(&scene.name.as_str()),
+            built_in,
+            generic: built_in && GENERIC.contains(&scene.name.as_str()),
             torque_free: system.torque_free(),
             steady_spin: system.steady_spin(),
             symmetric: system.body.symmetric(),

@@ -63,9 +63,14 @@ fn judge_class(evidence: &Evidence, drift: &EnergyDrift, allowed: &[DriftClass])
     }
 }
 
+/// Long runs of more than a tenth of a radian a step: they begin at a fifth, and steps fall by √2.
+const COARSE: usize = 2;
+
 /// No run gains energy, but for rounding.
 fn judge_fall(evidence: &Evidence, drift: &EnergyDrift) -> Verdict {
-    let gain = drift.rungs.iter().map(|rung| rung.gain / rung.rounding).fold(0.0, f64::max);
+    // Larger steps than a tenth of a radian are none of which the claim speaks.
+    let small = &drift.rungs[COARSE.min(drift.rungs.len() - 1)..];
+    let gain = small.iter().map(|rung| rung.gain / rung.rounding).fold(0.0, f64::max);
     let detail = format!("largest gain of E over the start, in roundings of the run: {gain:.2}; at most 10");
     at_most(evidence, ClaimName::Energy, "rotational-energy-gain", gain, 10.0, detail)
 }

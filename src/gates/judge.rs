@@ -35,7 +35,9 @@ pub fn judge(evidence: &Evidence, baseline: &Baseline) -> Vec<Verdict> {
     verdicts.extend(order::judge(evidence, baseline));
     verdicts.push(reduction::judge(evidence));
     verdicts.extend(stability::judge(evidence));
-    deviations::apply(&mut verdicts);
+    if evidence.setting.built_in {
+        deviations::apply(&mut verdicts);
+    }
     verdicts
 }
 

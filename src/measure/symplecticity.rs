@@ -14,9 +14,9 @@
 
 use nalgebra::Vector3;
 
-use super::{Rung, steady_rung};
+use super::{Rung, copies, steady_rung};
 use crate::model::body::Shape;
-use crate::model::{Snapshot, Start, System};
+use crate::model::{Quantity, Snapshot, Start, System};
 use crate::record::Symplecticity;
 use crate::rotation;
 use crate::simulate::{Contestant, Form, Plan};
@@ -50,14 +50,32 @@ pub fn symplecticity(contestant: &Contestant, system: &System, rungs: &[Rung]) -
     let step = steady_rung(contestant, system, rungs, 1)?.step.min(TURN / spin);
     // What turn, and what change of L over |L|, changes Ω by no more than itself in a body of unlike moments.
     let unit = (system.body.moments.min() * spin / momentum).min(1.0);
-    let directions = directions(system, spin, unit);
+    let of = |start: &System| defect(contestant, start, &directions(system, spin, unit), step);
+    let own = of(system)?;
+    let end = contestant.run(system, Form::Least, &Plan { step, steps: 1, every: 1 }).states;
+    let copies = copies::starts(system, &end, f64::EPSILON, false);
+    let off = copies.iter().map(|copy| of(copy).map_or(f64::INFINITY, |defect| (defect - own).abs()));
+    let over = momentum * unit * unit; // (3)
+    // A rounding of the position at least, over its displacement: copies on the same grid of numbers round alike.
+    let reach = copies::sizes(system, &end)[Quantity::Position];
+    let of_position = if system.body.pivoted {
+        0.0
+    } else {
+        f64::EPSILON * reach / (DISPLACEMENT * (momentum / (system.body.mass * spin)).sqrt() * unit)
+    };
+    let rounding = (off.fold(0.0, super::larger) / over).max(of_position);
+    Some(Symplecticity { step, defect: own / over, unit, rounding })
+}
+
+/// The largest change of the form by a step; `None` where a step breaks.
+fn defect(contestant: &Contestant, system: &System, directions: &[Displacement], step: f64) -> Option<f64> {
     let one_step = |system: &System| {
         let run = contestant.run(system, Form::Least, &Plan { step, steps: 1, every: 1 });
         run.outcome.broken.is_none().then(|| run.states[run.states.len() - 1])
     };
     let end = one_step(system)?;
     let mut derivative = Vec::with_capacity(directions.len());
-    for direction in &directions {
+    for direction in directions {
         let moved = |by: f64| {
             let displaced = displaced(system, &direction.scaled(by * DISPLACEMENT));
             one_step(&displaced).map(|state| apart(&state, &end))
@@ -74,10 +92,10 @@ pub fn symplecticity(contestant: &Contestant, system: &System, rungs: &[Rung]) -
         for (j, second) in directions.iter().enumerate().skip(i + 1) {
             let before = form(mass, &system.start.angular_momentum, first, second);
             let after = form(mass, &end.angular_momentum, &derivative[i], &derivative[j]);
-            defect = super::larger(defect, (after - before).abs() / (momentum * unit * unit)); // (3)
+            defect = super::larger(defect, (after - before).abs());
         }
     }
-    Some(Symplecticity { step, defect, unit })
+    Some(defect)
 }
 
 /// ω.

@@ -75,6 +75,8 @@ pub struct Setting {
     pub content: String,
     /// Why no order applies, if none does.
     pub not_for_order: Option<String>,
+    /// Whether the scene has the content of the built-in one of its name.
+    pub built_in: bool,
     /// Whether an order is exactly the claimed one here.
     pub generic: bool,
     /// No torque about the centre of mass, and no pivot.
@@ -319,6 +321,9 @@ pub struct Symplecticity {
     pub defect: f64,
     /// Size of the directions in which it was differentiated, of a radian and of |L|: below one where the moments differ much.
     pub unit: f64,
+    /// How far the change is from that of copies of the step, in the same measure.
+    #[serde(with = "or_infinite")]
+    pub rounding: f64,
 }
 
 /// A run in another world beside the run in the scene's own.

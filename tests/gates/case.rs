@@ -37,6 +37,7 @@ pub fn setting(scene: &Scene) -> Setting {
         content: scene.content(),
         not_for_order: None,
         generic: false,
+        built_in: true,
         torque_free: system.torque_free(),
         steady_spin: system.steady_spin(),
         symmetric: system.body.symmetric(),

@@ -155,7 +155,7 @@ fn a_step_may_change_the_two_form_by_1e_minus_9_over_the_unit_of_its_directions(
         (f64::NAN, 1.0, Fail),
     ] {
         let mut made = Made::new("free-asymmetric", &[Claim::Symplectic]);
-        made.evidence.symplecticity = Some(Symplecticity { step: 0.5, defect, unit });
+        made.evidence.symplecticity = Some(Symplecticity { step: 0.5, defect, unit, rounding: 0.0 });
         assert_eq!(made.ruling(Symplectic, "two-form"), expected, "{defect} {unit}");
     }
 }
