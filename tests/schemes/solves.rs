@@ -79,15 +79,15 @@ impl<const UP_TO: u32> Scheme for Unsolved<UP_TO> {
 }
 
 #[test]
-fn a_ladder_that_breaks_at_its_finest_step_is_broken_and_one_that_gets_past_is_judged_after_it() {
+fn a_ladder_without_a_solution_at_its_finest_step_is_undecided_and_one_that_gets_past_is_judged_after_it() {
     let rulings = |contestant: Contestant, claim: ClaimName| -> Vec<Ruling> {
         let verdicts = Campaign::of(vec![scene("free-asymmetric")], vec![contestant]).run().verdicts;
         let own = verdicts.into_iter().filter(|v| v.scheme == "unsolved" && v.claim == claim);
         own.map(|verdict| verdict.verdict).collect()
     };
-    // The finest step of a ladder of eight seconds is of 1e-4 s or more.
+    // The finest step of a ladder of eight seconds is of 6e-5 s or more.
     for contestant in [Contestant::new::<Unsolved<0>>(), Contestant::new::<Unsolved<1000>>()] {
-        assert_eq!(rulings(contestant.clone(), ClaimName::Run), [Ruling::Broken]);
+        assert_eq!(rulings(contestant.clone(), ClaimName::Run), [Ruling::Inconclusive]);
         assert!(rulings(contestant, ClaimName::Order).is_empty());
     }
     // Steps of a hundredth of a second and less have a solution.
