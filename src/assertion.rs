@@ -1,7 +1,7 @@
 //! Gates for a scheme of your own, in your own `cargo test`.
 //!
 //! The guide has an example. In a test file of your crate the assertion stands in a `#[test]`. Where the order is another one it panics
-//! with a line such as `my-heun: order 1.00 measured, 2 claimed, in 42 of 42 quantities`, and with what was measured in each of them.
+//! with a line such as `my-heun: order 1.00 measured, 2 claimed, in 21 of 21 quantities`, and with what was measured in each of them.
 
 use crate::campaign::Campaign;
 use crate::claim::Claim;

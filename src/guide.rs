@@ -56,7 +56,7 @@
 //! error over it. Otherwise the test fails with a summary and the details:
 //!
 //! ```text
-//! my-heun: order 1.00 measured, 2 claimed, in 42 of 42 quantities
+//! my-heun: order 1.00 measured, 2 claimed, in 21 of 21 quantities
 //!   free-asymmetric, orientation-end: fail: slope 0.998 [0.993, 1.003] over 6 rungs, below the band: 1.85 … 2.15
 //!   …
 //! ```
@@ -117,7 +117,7 @@
 //! let contestants = vec![Contestant::new::<PeskinRk2>(), Contestant::new::<Euler>()];
 //! let records = Campaign::of(scenes, contestants).run(); // or Records::read(Path::new("records.json"))?
 //!
-//! // The measured order of one quantity, with its 95 % interval.
+//! // The measured order of one quantity, with its bounds.
 //! for row in records.orders.iter().filter(|row| row.quantity == "orientation") {
 //!     if let (Some(order), Some(low), Some(high)) = (row.order, row.low, row.high) {
 //!         println!("{} in {}: {order:.3} [{low:.3}, {high:.3}]", row.scheme, row.scene);

@@ -147,8 +147,9 @@ fn judge_jump(evidence: &Evidence, quantity: Quantity, decision: &Decision) -> O
     let falls = asked.runs.windows(2).filter_map(fall);
     let (vanishes, fall, step) = falls.max_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)))?;
     let ruling = if vanishes { Ruling::Fail } else { Ruling::NotApplicable };
+    let over = if order == HIGHEST { "the highest order".to_owned() } else { format!("order {order}") };
     let detail = format!(
-        "from h = {step:.2e} s to the next run the error falls {fall:.0} times as much as order {order} explains"
+        "from h = {step:.2e} s to the next run the error falls {fall:.0} times as much as {over} explains"
     );
     Some(Verdict {
         measured: fall.is_finite().then_some(fall),
