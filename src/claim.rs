@@ -125,6 +125,7 @@ words! {
         /// The error constant on record.
         Constant = "constant",
         /// Runs that converge to the truth, in every scene.
+        #[serde(alias = "consistency")]
         Converges = "converges",
         /// The first state of a run.
         Start = "start",

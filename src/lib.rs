@@ -72,6 +72,11 @@ pub mod internals {
 
     rooms!(arithmetic, engine, log, ode, report, rotation, self_test, study);
 
+    pub mod campaign {
+        pub use crate::campaign::cell::setting;
+        pub use crate::campaign::*;
+    }
+
     pub mod gates {
         pub use crate::gates::baseline::{Constants, OfScene};
         pub use crate::gates::reference::judge_reference;
@@ -90,6 +95,7 @@ pub mod internals {
         pub use crate::measure::reversal::*;
         pub use crate::measure::symplecticity::*;
         pub use crate::measure::*;
+        pub use crate::model::copies::*;
     }
 
     pub mod model {

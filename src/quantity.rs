@@ -105,6 +105,11 @@ impl PerQuantity<f64> {
     }
 }
 
+/// The larger of two numbers; NaN if either is, where `f64::max` hides it.
+pub fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
+}
+
 /// Values in the order of [`Quantity::ALL`].
 impl<T> From<[T; Quantity::ALL.len()]> for PerQuantity<T> {
     fn from(values: [T; Quantity::ALL.len()]) -> PerQuantity<T> {

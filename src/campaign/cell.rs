@@ -6,8 +6,8 @@ use super::rows;
 use crate::claim::Claim;
 use crate::gates::{self, Baseline};
 use crate::measure::{self, Climbed, Decision, Rung};
+use crate::model::Quantity;
 use crate::model::body::Shape;
-use crate::model::{Quantity, Snapshot};
 use crate::record::stability::LinearLimit;
 use crate::record::{Drift, Evidence, Measurement, Order, Series, Setting, Verdict};
 use crate::reference::Reference;
@@ -89,30 +89,35 @@ fn evidence(scene: &Scene, reference: &Reference, contestant: &Contestant, climb
     }
 }
 
-/// Who is in which scene, and nothing measured.
-pub(crate) fn unmeasured(scene: &Scene, contestant: &Contestant) -> Evidence {
+/// What a scene is to a claim.
+pub fn setting(scene: &Scene) -> Setting {
     let system = &scene.system;
     let (constant_force, no_force) = system.constant_force();
     let content = scene.content();
     // A copy in a file is the same scene; an edited one is another that has its name.
     let same = |own: Scene| own.built_in && own.content() == content;
     let built_in = scene.built_in || Scene::find(&scene.name).is_ok_and(same);
+    Setting {
+        content,
+        not_for_order: scene.not_for_order.clone(),
+        built_in,
+        generic: built_in && GENERIC.contains(&scene.name.as_str()),
+        torque_free: system.torque_free(),
+        steady_spin: system.steady_spin(),
+        symmetric: system.body.symmetric(),
+        constant_force,
+        no_force,
+        point: system.body.shape == Shape::Point,
+    }
+}
+
+/// A scheme in a scene, and nothing measured.
+pub(crate) fn unmeasured(scene: &Scene, contestant: &Contestant) -> Evidence {
     Evidence {
         scene: scene.name.clone(),
         scheme: contestant.card.name.to_owned(),
-        model: contestant.model(system).to_owned(),
-        setting: Setting {
-            content,
-            not_for_order: scene.not_for_order.clone(),
-            built_in,
-            generic: built_in && GENERIC.contains(&scene.name.as_str()),
-            torque_free: system.torque_free(),
-            steady_spin: system.steady_spin(),
-            symmetric: system.body.symmetric(),
-            constant_force,
-            no_force,
-            point: system.body.shape == Shape::Point,
-        },
+        model: contestant.model(&scene.system).to_owned(),
+        setting: setting(scene),
         claims: contestant.card.claims.to_vec(),
         program: contestant.is_foreign(),
         known_as: contestant.program().map_or(contestant.card.name.to_owned(), |program| program.name),
@@ -125,13 +130,13 @@ fn climb(scene: &Scene, reference: &Reference, contestant: &Contestant) -> Climb
     let (system, card) = (&scene.system, &contestant.card);
     let order = if system.torque_free() { card.order_without_torque() } else { card.order() };
     let order = scene.not_for_order.is_none().then_some(order);
-    measure::climb_and_see(contestant, system, reference, order, |climbed, [finest, before]| {
-        if contestant.is_foreign() && goes_elsewhere(climbed) {
-            let truth = truth_at(reference, &finest);
-            climbed.ladder.cause = cause::likeliest_cause(system, &truth, &finest, &before)
-                .map(|cause| cause.words().to_owned());
-        }
-    })
+    let mut climbed = measure::climb(contestant, system, reference, order);
+    if contestant.is_foreign() && goes_elsewhere(&climbed) {
+        let [finest, before] = &climbed.finest;
+        let cause = cause::likeliest_cause(system, &climbed.truth, finest, before);
+        climbed.ladder.cause = cause.map(|cause| cause.words().to_owned());
+    }
+    climbed
 }
 
 /// Whether a program starts or ends elsewhere in any quantity.
@@ -143,12 +148,6 @@ fn goes_elsewhere(climbed: &Climbed) -> bool {
     Quantity::ALL.into_iter().any(|quantity| {
         ladder.start[quantity] > measure::start_allows(ladder, quantity) || elsewhere(quantity)
     })
-}
-
-/// The truth at the times of a run.
-fn truth_at(reference: &Reference, states: &[Snapshot]) -> Vec<Snapshot> {
-    let every = (reference.states.len() - 1) / (states.len() - 1).max(1);
-    reference.states.iter().step_by(every.max(1)).copied().collect()
 }
 
 /// The limit of stability of the scheme in the scene, where one is on record.

@@ -3,7 +3,7 @@
 //! Parallel over cells, never inside one; results are gathered by their place in the grid, so that one thread or
 //! many give the same numbers to the last bit, timings aside.
 
-mod cell;
+pub(crate) mod cell;
 mod costs;
 #[cfg(feature = "cli")]
 mod peers;

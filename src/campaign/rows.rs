@@ -3,7 +3,7 @@
 use crate::claim::Claim;
 use crate::measure::drift::rate_order;
 use crate::measure::{self, Asked, Decision, Doubt, Rung, decide};
-use crate::model::{Quantity, Snapshot, System};
+use crate::model::{Quantity, Snapshot, System, sizes};
 use crate::record::stability::Stability;
 use crate::record::{
     Drift, EnergyDrift, EnergyRung, EngineRow, Ladder, Measurement, Order, OrderStatus, ReferenceEvidence,
@@ -77,8 +77,7 @@ pub(super) fn scene(
 
 /// A reference, as its gate reads it.
 pub(super) fn reference(scene: &Scene, reference: &Reference) -> ReferenceEvidence {
-    let (uncertainty, sizes) =
-        (reference.largest_uncertainty(), measure::sizes(&scene.system, &reference.states));
+    let (uncertainty, sizes) = (reference.largest_uncertainty(), sizes(&scene.system, &reference.states));
     let of_size = uncertainty.zip(sizes).map(|(off, size)| if size > 0.0 { off / size } else { 0.0 });
     let worst = of_size.into_iter().max_by(|a, b| a.1.total_cmp(&b.1));
     ReferenceEvidence {

@@ -31,7 +31,7 @@ pub enum Clause {
     /// Energies, positions and velocities at a small step.
     SaneNumbers,
     /// One body described in three ways.
-    ToldAlike,
+    DescribedAlike,
 }
 
 impl Clause {
@@ -44,7 +44,7 @@ impl Clause {
         Clause::TwoCopies,
         Clause::Moves,
         Clause::SaneNumbers,
-        Clause::ToldAlike,
+        Clause::DescribedAlike,
     ];
 
     /// Stable name, kebab-case.
@@ -57,7 +57,7 @@ impl Clause {
             Clause::TwoCopies => "two-copies",
             Clause::Moves => "moves",
             Clause::SaneNumbers => "sane-numbers",
-            Clause::ToldAlike => "told-alike",
+            Clause::DescribedAlike => "described-alike",
         }
     }
 
@@ -77,7 +77,7 @@ impl Clause {
             Clause::SaneNumbers => {
                 "at a small step the energy of a free body, positions and velocities stay within bounds"
             }
-            Clause::ToldAlike => {
+            Clause::DescribedAlike => {
                 "a body moves alike in other body axes, with its points in another order, and with a point split in two"
             }
         }
@@ -97,7 +97,7 @@ impl Clause {
             Clause::TwoCopies => "the process, a clock or a random number changes the answer",
             Clause::Moves => "the body is frozen, asleep or damped, or steps are lost",
             Clause::SaneNumbers => "the numbers are finite but not those of a motion",
-            Clause::ToldAlike => "the motion depends on how the body is described",
+            Clause::DescribedAlike => "the motion depends on how the body is described",
         }
     }
 }

@@ -3,22 +3,13 @@
 //! A copy starts a few units in the last place off, its mass points too. The unit is that of the program: of a double, of
 //! a single, or of the last digit that it prints. What the copies differ by is rounding, however it grows.
 
-use nalgebra::Vector3;
-
 use super::reply::States;
 use super::subject::{NoStates, Subject};
-use crate::model::{PerQuantity, Quantity, Snapshot, Start, System, difference, retold};
-use crate::rotation;
+use crate::model::copies::{CLEAR, COPIES, OFF, displaced};
+use crate::model::{PerQuantity, Snapshot, System, difference, sizes};
 use crate::simulate::Plan;
 
-/// Copies of a run.
-const COPIES: usize = 3;
-/// Units in the last place that a copy is off by.
-const OFF: f64 = 4.0;
-/// A difference is more than rounding where it is more than so many times the distance of the copies. Three copies show
-/// the size of a rounding to a factor of three or so; the rest is a margin of ten. The judge of orders has the same factor.
-pub(super) const CLEAR: f64 = 30.0;
-/// Significant digits from which on the numbers are doubles to the last bit or nearly so.
+/// Numbers of so many significant digits are doubles to the last bit or nearly so.
 const DOUBLE_DIGITS: usize = 16;
 
 /// How fine the numbers of a program are.
@@ -69,21 +60,6 @@ fn last_place(states: &[Snapshot]) -> f64 {
     places.min().map_or(0.0, |place| 10f64.powi(place))
 }
 
-/// Size of each quantity over a motion, in its unit.
-pub(super) fn sizes(system: &System, motion: &[Snapshot]) -> PerQuantity<f64> {
-    let largest = |value: fn(&Snapshot) -> Vector3<f64>| {
-        motion.iter().map(|state| rotation::length(&value(state))).fold(0.0, f64::max)
-    };
-    let (spin, extent) = (largest(|s| s.angular_velocity), system.body.extent());
-    PerQuantity::of(|quantity| match quantity {
-        Quantity::Position | Quantity::BodyPoint => largest(|s| s.position) + extent,
-        Quantity::Velocity => largest(|s| s.velocity) + spin * extent,
-        Quantity::Orientation => 1.0,
-        Quantity::AngularVelocity => spin,
-        Quantity::AngularMomentum => largest(|s| s.angular_momentum),
-    })
-}
-
 /// How far rounding may take the end of a run, each quantity in its unit: the larger of [`CLEAR`] times the distance of
 /// the copies and a unit in the last place for each step.
 ///
@@ -98,7 +74,7 @@ pub(super) fn allowance(
     let sizes = sizes(system, own);
     let mut spread = PerQuantity::all(0.0);
     for way in 0..COPIES {
-        let copy = subject.run(&displaced(system, &grain.times(OFF, &sizes), way), plan)?.states;
+        let copy = subject.run(&displaced(system, &grain.times(OFF, &sizes), way, true), plan)?.states;
         if let (Some(copy), Some(own)) = (copy.last(), own.last()) {
             spread = difference(&system.body, copy, own).max(spread);
         }
@@ -107,25 +83,13 @@ pub(super) fn allowance(
     Ok(spread.map(|spread| CLEAR * spread).max(floor))
 }
 
-/// The system started off by `off` in every quantity, in one of a few fixed directions.
-fn displaced(system: &System, off: &PerQuantity<f64>, way: usize) -> System {
-    const DIRECTIONS: [Vector3<f64>; COPIES] =
-        [Vector3::new(0.36, 0.48, 0.8), Vector3::new(0.8, -0.6, 0.0), Vector3::new(-0.48, -0.64, 0.6)];
-    let along = |quantity, shift: usize| DIRECTIONS[(way + shift) % COPIES] * off[quantity];
-    let change = Start {
-        position: along(Quantity::Position, 1),
-        velocity: along(Quantity::Velocity, 2),
-        angular_momentum: along(Quantity::AngularMomentum, 1),
-        orientation: system.start.orientation,
-    };
-    let body = retold::moved(system, off[Quantity::Orientation], way);
-    body.as_ref().unwrap_or(system).displaced(&along(Quantity::Orientation, 0), &change)
-}
-
 #[cfg(test)]
 mod tests {
+    use nalgebra::Vector3;
+
     use super::*;
     use crate::engine::specimen::scene;
+    use crate::rotation;
 
     #[test]
     fn the_last_place_is_that_of_the_finest_number() {
@@ -142,7 +106,7 @@ mod tests {
     #[test]
     fn a_displaced_start_is_off_by_what_was_asked_for() {
         let free = scene("", "");
-        let moved = displaced(&free, &PerQuantity::all(1e-6), 1);
+        let moved = displaced(&free, &PerQuantity::all(1e-6), 1, true);
         let off = rotation::length(&(moved.start.position - free.start.position));
         assert!((off - 1e-6).abs() < 1e-12, "{off}");
         let turned = rotation::angle_between(&moved.start.orientation, &free.start.orientation);

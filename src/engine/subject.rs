@@ -1,4 +1,4 @@
-//! One program under test, asked for one run after another in a process of its own.
+//! One program under test, asked for one run after another in a separate process.
 
 use super::error::Fault;
 use super::hello::{self, Hello};

@@ -4,7 +4,8 @@ use std::collections::{BTreeMap, HashMap};
 
 use serde::{Deserialize, Serialize};
 
-use crate::quantity::PerQuantity;
+use crate::measure::Asked;
+use crate::quantity::{PerQuantity, Quantity};
 use crate::record::Records;
 
 /// The constants of the built-in scenes, by name.
@@ -24,7 +25,7 @@ pub struct OfScene {
 pub struct Recorded {
     /// C of C hᵖ, in the unit of the quantity over sᵖ, where an order was decided.
     pub constant: Option<f64>,
-    /// (h, error at the end, what that may be off by) of every run.
+    /// (h, error, what that must exceed to count) of every run, per sample time.
     pub errors: Vec<(f64, f64, f64)>,
 }
 
@@ -35,7 +36,7 @@ pub struct Baseline {
 }
 
 impl Baseline {
-    /// The constants of a records file, and the errors at the end.
+    /// The constants of a records file, and the errors of every run.
     pub fn from_records(records: &Records) -> Baseline {
         let contents: HashMap<&str, &str> =
             records.scenes.iter().map(|scene| (scene.name.as_str(), scene.content.as_str())).collect();
@@ -52,11 +53,14 @@ impl Baseline {
                 baseline.rows.entry(key).or_default().constant = order.constant;
             }
         }
-        for run in &records.measurements {
-            let Some(quantity) = run.metric.strip_suffix("-end") else { continue };
-            let (Some(error), Some(off)) = (run.value, run.uncertainty) else { continue };
-            if let Some(key) = key(&run.scene, &run.scheme, quantity) {
-                baseline.rows.entry(key).or_default().errors.push((run.step_s, error, off));
+        for evidence in &records.evidence {
+            for quantity in Quantity::ALL {
+                let asked = Asked::of(&evidence.ladder, quantity);
+                let whole = asked.runs.iter().filter(|run| !run.errors.is_empty());
+                let errors = whole.map(|run| (run.step, asked.error(run), asked.floor_of(run))).collect();
+                let key =
+                    (evidence.setting.content.clone(), evidence.known_as.clone(), quantity.name().to_owned());
+                baseline.rows.entry(key).or_default().errors = errors;
             }
         }
         baseline

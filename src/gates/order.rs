@@ -10,17 +10,17 @@
 
 use super::{Baseline, SOLVED_TO, promised_exact, ruled};
 use crate::claim::Claim;
-use crate::measure::{Asked, BELOW, CLEAR, Decision, Doubt, HIGHEST, Order, Run, decide, start_allows};
+use crate::measure::{Asked, BELOW, Decision, Doubt, HIGHEST, Order, Run, decide, start_allows};
 use crate::model::Quantity;
 use crate::record::{ClaimName, Evidence, Ruling, Rung, Verdict, length};
 
 /// Largest relative change of an error constant.
 const CONSTANT_CHANGE: f64 = 0.01;
-/// Relative change of the error of a run from which on it is another scheme's: what r tends to for a wrong order.
+/// Least relative change of the error of a run that shows another scheme: what r tends to for a wrong order.
 const CHANGED: f64 = 0.5;
-/// Fall of an error from one run to the next over what its order explains, from which on it is named: three orders more.
+/// Least fall of an error from one run to the next, over what its order explains, that is named: three orders more.
 const NAMED: f64 = 8.0;
-/// Difference of an error from that of the coarser of two runs over the difference of these, from which on it does not lie between them.
+/// Most that an error between two runs differs from that of the coarser one, over the difference of the two.
 const BETWEEN: f64 = 2.0;
 /// Runs of so few steps are asked of what is promised to be exact alone.
 const MOST_GIANT: u64 = 7;
@@ -265,35 +265,21 @@ fn judge_constant(
 fn judge_record(evidence: &Evidence, quantity: Quantity, baseline: &Baseline) -> Option<Verdict> {
     let recorded = baseline.find(&evidence.setting.content, &evidence.known_as, quantity.name())?;
     let asked = Asked::of(&evidence.ladder, quantity);
-    let changed = |rung: &Rung| {
-        let (_, known, off) =
-            recorded.errors.iter().find(|(step, ..)| (step / rung.step - 1.0).abs() < 1e-9)?;
-        let vector = rung.error(quantity, &evidence.ladder.arms);
-        let components = vector.len() / asked.times.len();
-        if components == 0 {
-            return Some((rung.step, f64::INFINITY, *known));
-        }
-        let error = largest_of_points(quantity, &vector[vector.len() - components..]);
-        let run = Run::of(rung, quantity, &evidence.ladder.arms);
-        let last = run.rounding.last().copied().into_iter().collect();
-        let floor = asked.floor(&Run { rounding: last, ..run }, 1) + CLEAR * off;
-        let holds = (error - known).abs() <= CHANGED * known + floor;
-        (!holds).then_some((rung.step, error, *known))
+    let changed = |run: &Run| {
+        let (_, known, floor) =
+            recorded.errors.iter().find(|(step, ..)| (step / run.step - 1.0).abs() < 1e-9)?;
+        let error = if run.errors.is_empty() { f64::INFINITY } else { asked.error(run) };
+        let holds = (error - known).abs() <= CHANGED * known + asked.floor_of(run) + floor;
+        (!holds).then_some((run.step, error, *known))
     };
-    let (step, error, known) = evidence.ladder.rungs.iter().find_map(changed)?;
+    let (step, error, known) = asked.runs.iter().find_map(changed)?;
     let unit = quantity.unit();
     let detail = format!(
-        "error at the end {error:.2e} {unit} at h = {step:.2e} s, {known:.2e} {unit} on record: {:.1} times as large",
+        "error over the run {error:.2e} {unit} at h = {step:.2e} s, {known:.2e} {unit} on record: {:.1} times as large",
         error / known
     );
     let verdict = ruled(evidence, ClaimName::Constant, quantity.name(), Ruling::Fail, detail);
     Some(Verdict { measured: error.is_finite().then_some(error), high: Some(known), ..verdict })
-}
-
-/// The length of an error at one time; of body points that of the largest.
-fn largest_of_points(quantity: Quantity, vector: &[f64]) -> f64 {
-    let parts = if quantity == Quantity::BodyPoint { 3 } else { vector.len().max(1) };
-    vector.chunks(parts).map(length).fold(0.0, f64::max)
 }
 
 fn words(found: &Order) -> String {

@@ -20,7 +20,7 @@ const FEWEST_RUNGS: usize = 6;
 const MOST_STEPS: u64 = 1 << 17;
 /// … or after so many halvings, where its first run has many steps.
 const MOST_HALVINGS: u32 = 10;
-/// Order from which on there is a run between any two halvings: few of them lie between errors of the size of the motion and rounding.
+/// Least order that has a run between any two halvings: few of them lie between errors of the size of the motion and rounding.
 const HIGH_ORDER: u32 = 6;
 /// Evaluations of a run of a solver that chooses its own steps after which there is no other, …
 const MOST_EVALUATIONS: u64 = 60_000;
@@ -32,27 +32,21 @@ const GIANT_STEPS: [u64; 4] = [1, 3, 5, 7];
 /// Runs a ladder. `order` is the claimed one, 0 where none is claimed: a ladder whose orders are below it goes on to the finest steps. Without
 /// it, as in a scene that carries no order, the ladder does not.
 pub fn climb(contestant: &Contestant, system: &System, reference: &Reference, order: Option<u32>) -> Climbed {
-    climb_and_see(contestant, system, reference, order, |_, _| ())
-}
-
-/// The same, which shows the states of the two finest runs in the end, the finest first.
-pub fn climb_and_see(
-    contestant: &Contestant,
-    system: &System,
-    reference: &Reference,
-    order: Option<u32>,
-    see: impl FnOnce(&mut Climbed, [Vec<crate::model::Snapshot>; 2]),
-) -> Climbed {
     let phase = phase(system, reference);
-    let truth = Truth::new(contestant, system, reference, quarters(reference, phase));
-    let mut climbed = Climbed { model: contestant.model(system), ladder: truth.ladder(), rungs: Vec::new() };
-    let mut finest = [Vec::new(), Vec::new()];
+    let truth = Truth::new(system, reference, quarters(reference, phase));
+    let mut climbed = Climbed {
+        model: contestant.model(system),
+        ladder: truth.ladder(),
+        rungs: Vec::new(),
+        finest: [Vec::new(), Vec::new()],
+        truth: Vec::new(),
+    };
     for steps in steps(contestant, phase, order.unwrap_or_default()) {
         let (rung, shown, states) = truth.run(contestant, steps, &mut climbed.ladder);
         climbed.ladder.rungs.push(rung);
         climbed.rungs.push(shown);
-        finest.swap(0, 1);
-        finest[0] = states;
+        climbed.finest.swap(0, 1);
+        climbed.finest[0] = states;
         if climbed.refusal().is_some() || is_done(contestant, &climbed, order) {
             break;
         }
@@ -63,7 +57,7 @@ pub fn climb_and_see(
         steps => steps.map(|steps| 3 * steps / 2 + 1).into_iter().collect(),
     };
     climbed.ladder.odd = odd.into_iter().map(|steps| truth.odd(contestant, steps)).collect();
-    see(&mut climbed, finest);
+    climbed.truth = truth.states();
     shortened(&mut climbed.ladder);
     climbed
 }

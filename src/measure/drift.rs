@@ -4,10 +4,11 @@
 //! scheme's order, on top of a secular part whose rate has an order of its own; only runs over many periods
 //! tell them apart, and only steps so small that the rate stays what it was at the start.
 
-use super::order::{Asked, BELOW, CLEAR, Decision, Run, decide};
+use super::order::{Asked, BELOW, Decision, Run, decide};
 use crate::claim::{Claim, EnergyOfFreeBody};
 use crate::model::System;
 use crate::model::body::Shape;
+use crate::model::copies::CLEAR;
 use crate::model::forces::Forces;
 use crate::record::{DriftClass, EnergyDrift, EnergyRung};
 use crate::rotation;

@@ -3,8 +3,9 @@
 
 use nalgebra::Vector3;
 
-use super::order::{Asked, BELOW, CLEAR, Decision, Run, decide};
+use super::order::{Asked, BELOW, Decision, Run, decide};
 use crate::model::body::Shape;
+use crate::model::copies::CLEAR;
 use crate::model::{Snapshot, System};
 #[cfg(feature = "solvers")]
 use crate::ode::dop853;

@@ -10,7 +10,7 @@ use nalgebra::Vector3;
 use super::copies;
 use super::reversal::worst;
 use super::{Rung, steady_rung};
-use crate::model::{Change, PerQuantity, Quantity, System, difference, retold};
+use crate::model::{Change, PerQuantity, Quantity, System, difference, retold, sizes};
 use crate::record::OtherWorld;
 use crate::rotation;
 use crate::simulate::{Contestant, Form, Plan};
@@ -75,7 +75,7 @@ pub fn other_worlds(contestant: &Contestant, system: &System, rungs: &[Rung]) ->
 fn rounding(contestant: &Contestant, (system, form): (&System, Form), plan: &Plan) -> PerQuantity<f64> {
     let motion = contestant.run(system, form, plan).states;
     let spread = copies::spread(contestant, (system, form), plan, &motion);
-    copies::rounding(&spread, &copies::sizes(system, &motion), plan.steps)
+    copies::rounding(&spread, &sizes(system, &motion), plan.steps)
 }
 
 /// What larger positions and velocities in the other world round off besides.

@@ -2,11 +2,12 @@
 
 use nalgebra::Vector3;
 
-use super::copies::{self, COPIES};
-use super::order::{Asked, CLEAR, Decision, Run, decide};
+use super::copies;
+use super::order::{Asked, Decision, Run, decide};
 use super::{ALL, FOLLOWS, Reading, Sight, errors};
 use crate::model::body::{Body, Shape};
-use crate::model::{Broken, PerQuantity, Quantity, Snapshot, System};
+use crate::model::copies::CLEAR;
+use crate::model::{Broken, PerQuantity, Quantity, Snapshot, System, sizes};
 use crate::record::{self, length, to_digits};
 use crate::reference::Reference;
 use crate::rotation;
@@ -28,6 +29,10 @@ pub struct Climbed {
     pub ladder: record::Ladder,
     /// The runs, step falling, as tables show them.
     pub rungs: Vec<Rung>,
+    /// States of the two finest runs at equal intervals, the finest first.
+    pub finest: [Vec<Snapshot>; 2],
+    /// The truth at the same times.
+    pub truth: Vec<Snapshot>,
 }
 
 impl Climbed {
@@ -64,49 +69,46 @@ impl Rung {
 /// What every run of a ladder is compared with.
 pub(super) struct Truth<'a> {
     system: &'a System,
-    reference: &'a Reference,
-    /// Indices of the sample times among the times of the reference; the first, the start, is left out.
+    /// The truth at equal intervals of the run; its states stand beside those of every run.
+    reference: Reference,
+    /// Indices of the sample times among them; the first, the start, is left out.
     samples: Vec<usize>,
-    copies: Option<[System; COPIES]>,
+    arms: Vec<[f64; 3]>,
 }
 
 impl<'a> Truth<'a> {
-    /// With the sample times that begin with the quarter of the quarter … of the end, as often as `quarters` says. Runs that choose their own
-    /// steps have no copies: those would choose others.
-    pub fn new(
-        contestant: &Contestant,
-        system: &'a System,
-        reference: &'a Reference,
-        quarters: u32,
-    ) -> Truth<'a> {
-        let last = reference.times.len() - 1;
+    /// With the sample times that begin with the quarter of the quarter … of the end, as often as `quarters` says.
+    pub fn new(system: &'a System, reference: &Reference, quarters: u32) -> Truth<'a> {
+        let last = 1usize << (2 * quarters);
         let early = (1..=quarters).rev().map(|quarter| last >> (2 * quarter));
         let samples = early.chain([last / 2, 3 * last / 4, last]).collect();
-        let (unit, _) = told(contestant.program());
-        let copies = !contestant.chooses_steps();
-        let copies = copies.then(|| copies::starts(system, &reference.states, unit, false));
-        Truth { system, reference, samples, copies }
+        let reference = reference.thinned((reference.times.len() - 1) / last);
+        Truth { system, reference, samples, arms: arms(&system.body) }
     }
 
     /// The ladder before its first run.
     pub fn ladder(&self) -> record::Ladder {
-        let body = &self.system.body;
-        let arms: Vec<Vector3<f64>> = match body.shape {
-            Shape::Point => Vec::new(),
-            Shape::Rod { direction } => {
-                vec![direction / rotation::length(&direction) * (body.moments.max() / body.mass).sqrt()]
-            }
-            Shape::Extended => {
-                (0..3).map(|axis| body.principal * Vector3::ith(axis, spread(body, axis))).collect()
-            }
-        };
         record::Ladder {
             times: self.samples.iter().map(|index| self.reference.times[*index]).collect(),
-            sizes: copies::sizes(self.system, &self.reference.states),
+            sizes: sizes(self.system, &self.reference.states),
             uncertainty: self.reference.largest_uncertainty(),
-            arms: arms.into_iter().map(Into::into).collect(),
+            arms: self.arms.clone(),
             ..record::Ladder::default()
         }
+    }
+
+    fn duration(&self) -> f64 {
+        self.reference.times[self.reference.times.len() - 1]
+    }
+
+    /// The truth at the equal intervals of every run.
+    pub fn states(self) -> Vec<Snapshot> {
+        self.reference.states
+    }
+
+    /// The states at the sample times.
+    fn sampled(&self, states: &[Snapshot]) -> Vec<Snapshot> {
+        self.samples.iter().filter_map(|index| states.get(*index)).copied().collect()
     }
 
     /// A run of so many steps, for gates and for tables. The states that it is measured at are handed on.
@@ -116,17 +118,12 @@ impl<'a> Truth<'a> {
         steps: u64,
         ladder: &mut record::Ladder,
     ) -> (record::Rung, Rung, Vec<Snapshot>) {
-        let last = self.reference.times.len() - 1;
-        let intervals = (last / self.samples[0]) as u64;
-        let plan = Plan::over(self.reference.times[last], steps, intervals);
+        let intervals = self.reference.states.len() as u64 - 1;
+        let plan = Plan::over(self.duration(), steps, intervals);
         let run = contestant.run(self.system, Form::Least, &plan);
-        (ladder.arithmetic, ladder.printed) = told(contestant.program());
+        (ladder.arithmetic, ladder.printed) = units(contestant.program());
         self.look_at_start(&run.states, ladder);
-        let every = last / intervals as usize;
-        let sampled = |states: &[Snapshot]| -> Vec<Snapshot> {
-            self.samples.iter().filter_map(|index| states.get(index / every)).copied().collect()
-        };
-        let (states, truth) = (sampled(&run.states), sampled_truth(self.reference, &self.samples));
+        let (states, truth) = (self.sampled(&run.states), self.sampled(&self.reference.states));
         let mut rung = self.vectors(&plan, &run.outcome, &states, &truth);
         let mut shown = Rung {
             step: plan.step,
@@ -137,12 +134,8 @@ impl<'a> Truth<'a> {
             outcome: run.outcome,
         };
         if rung.broken.is_none() {
-            for copy in self.copies.iter().flatten() {
-                let copy = sampled(&contestant.run(copy, Form::Least, &plan).states);
-                self.widen(&mut rung, &states, &copy);
-            }
-            let thinned = self.reference.thinned(every);
-            let sight = Sight { system: self.system, reference: &thinned, states: &run.states };
+            self.add_rounding(contestant, &mut rung, &plan, (&states, |states| self.sampled(states)));
+            let sight = Sight { system: self.system, reference: &self.reference, states: &run.states };
             shown.errors = errors(&sight);
             shown.readings = ALL.iter().map(|metric| metric.measure(&sight)).collect();
             let vertical = ALL.iter().position(|metric| metric.name == "vertical-momentum");
@@ -156,17 +149,13 @@ impl<'a> Truth<'a> {
 
     /// An odd number of steps, compared at the end.
     pub fn odd(&self, contestant: &Contestant, steps: u64) -> record::Rung {
-        let last = self.reference.times.len() - 1;
-        let plan = Plan { step: self.reference.times[last] / steps as f64, steps, every: steps };
+        let plan = Plan { step: self.duration() / steps as f64, steps, every: steps };
         let run = contestant.run(self.system, Form::Least, &plan);
         let end = |states: &[Snapshot]| states.get(1..).unwrap_or_default().to_vec();
-        let states = end(&run.states);
-        let mut rung = self.vectors(&plan, &run.outcome, &states, &self.reference.states[last..]);
+        let (states, truth) = (end(&run.states), &self.reference.states[self.reference.states.len() - 1..]);
+        let mut rung = self.vectors(&plan, &run.outcome, &states, truth);
         if rung.broken.is_none() {
-            for copy in self.copies.iter().flatten() {
-                let copy = end(&contestant.run(copy, Form::Least, &plan).states);
-                self.widen(&mut rung, &states, &copy);
-            }
+            self.add_rounding(contestant, &mut rung, &plan, (&states, end));
         }
         rung
     }
@@ -210,26 +199,51 @@ impl<'a> Truth<'a> {
         rung
     }
 
-    /// Takes in the distance of a copy from the run. A copy that breaks says nothing of rounding.
-    fn widen(&self, rung: &mut record::Rung, states: &[Snapshot], copy: &[Snapshot]) {
-        if copy.len() < states.len() {
+    /// Takes in the distances of the copies from the run, at the states that `sampled` takes of each. A copy that breaks says nothing of
+    /// rounding. Runs that choose their own steps have no copies: those would choose others.
+    fn add_rounding(
+        &self,
+        contestant: &Contestant,
+        rung: &mut record::Rung,
+        plan: &Plan,
+        (states, sampled): (&[Snapshot], impl Fn(&[Snapshot]) -> Vec<Snapshot>),
+    ) {
+        if contestant.chooses_steps() {
             return;
         }
-        let apart = between(&self.system.body, copy, states);
-        let apart = record::Rung { errors: apart, ..record::Rung::default() };
-        let arms = self.ladder().arms;
+        let (unit, _) = units(contestant.program());
+        for start in copies::starts(self.system, &self.reference.states, unit, false) {
+            let copy = sampled(&contestant.run(&start, Form::Least, plan).states);
+            if copy.len() == states.len() {
+                let errors = between(&self.system.body, &copy, states);
+                self.widen(rung, &record::Rung { errors, ..record::Rung::default() });
+            }
+        }
+    }
+
+    /// The larger of the roundings of a run and the distances of a copy from it.
+    fn widen(&self, rung: &mut record::Rung, apart: &record::Rung) {
         for quantity in Quantity::ALL {
-            let vector = apart.error(quantity, &arms);
-            let components = (vector.len() / states.len()).max(1);
-            for (largest, apart) in rung.rounding[quantity].iter_mut().zip(vector.chunks(components)) {
+            let (vector, rounding) = (apart.error(quantity, &self.arms), &mut rung.rounding[quantity]);
+            let components = (vector.len() / rounding.len()).max(1);
+            for (largest, apart) in rounding.iter_mut().zip(vector.chunks(components)) {
                 *largest = largest.max(length(apart));
             }
         }
     }
 }
 
-fn sampled_truth(reference: &Reference, samples: &[usize]) -> Vec<Snapshot> {
-    samples.iter().map(|index| reference.states[*index]).collect()
+/// Body axes from the centre of mass to points that stand for the body [m].
+fn arms(body: &Body) -> Vec<[f64; 3]> {
+    match body.shape {
+        Shape::Point => Vec::new(),
+        Shape::Rod { direction } => {
+            vec![(direction / rotation::length(&direction) * (body.moments.max() / body.mass).sqrt()).into()]
+        }
+        Shape::Extended => {
+            (0..3).map(|axis| (body.principal * Vector3::ith(axis, spread(body, axis))).into()).collect()
+        }
+    }
 }
 
 /// Root mean square of the mass along a principal axis [m]: the moments are sums of two such squares.
@@ -293,7 +307,7 @@ pub(super) fn shortened(ladder: &mut record::Ladder) {
 }
 
 /// A unit in the last place of a program's arithmetic, and half of one that it prints, relative.
-fn told(program: Option<Program>) -> (f64, f64) {
+fn units(program: Option<Program>) -> (f64, f64) {
     let program = program.unwrap_or_default();
     if program.single_precision {
         return (f64::from(f32::EPSILON), f64::from(f32::EPSILON) / 2.0);

@@ -18,18 +18,18 @@ pub(crate) mod reversal;
 mod rigidity;
 pub(crate) mod symplecticity;
 
-use crate::model::{PerQuantity, Quantity, Snapshot, System, difference};
+use crate::model::{PerQuantity, Quantity, Snapshot, System, difference, larger};
 use crate::reference::Reference;
 use crate::simulate::{Contestant, Form, Plan};
 
-pub(crate) use climb::{climb, climb_and_see};
-pub(crate) use copies::sizes;
+pub(crate) use crate::model::copies::CLEAR;
+pub(crate) use climb::climb;
 pub(crate) use drift::energy_drift;
 pub(crate) use flips::{FlipFinder, flips, true_flips, tumbling_axis};
 pub(crate) use invariance::other_worlds;
 pub(crate) use ladder::between;
 pub use ladder::{Climbed, Rung};
-pub(crate) use order::{Asked, BELOW, CLEAR, Decision, Doubt, HIGHEST, Order, Run, decide, start_allows};
+pub(crate) use order::{Asked, BELOW, Decision, Doubt, HIGHEST, Order, Run, decide, start_allows};
 pub(crate) use points::point_run;
 pub(crate) use reversal::reversal;
 pub(crate) use symplecticity::symplecticity;
@@ -147,11 +147,6 @@ pub(crate) fn slope(points: &[(f64, f64)]) -> f64 {
     let (x, y) = (mean(|point| point.0), mean(|point| point.1));
     let along: f64 = points.iter().map(|point| (point.0 - x) * (point.1 - y)).sum();
     along / points.iter().map(|point| (point.0 - x).powi(2)).sum::<f64>()
-}
-
-/// The larger of two numbers; NaN if either is, where `f64::max` would hide it.
-fn larger(a: f64, b: f64) -> f64 {
-    if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
 }
 
 /// Reads a function of each state and its reference over the run.

@@ -17,15 +17,13 @@
 //! on: what counts is the latest time at which it decides.
 
 use crate::model::Quantity;
+use crate::model::copies::CLEAR;
 use crate::record::{Ladder, Rung, length};
 
 /// r of the right order falls below this; that of a wrong one tends to ½ or more, five times as much.
 pub const BELOW: f64 = 0.1;
 /// Falls of r over the last two halvings, at least: half of what h does, on a logarithmic scale, and less for the earlier one.
 const FALLS: [f64; 2] = [1.3, 1.2];
-/// An error counts where it is more than so many times its rounding. Three copies show the size of a rounding to a factor of three or so, and r must
-/// resolve a tenth.
-pub const CLEAR: f64 = 30.0;
 /// Fewest runs: two falls of r are seen in three pairs of them.
 const FEWEST: usize = 4;
 /// Fewest runs that are alike.
@@ -98,6 +96,17 @@ impl Asked<'_> {
         // Half a unit of the last digit is a bound, no estimate: r is to resolve a tenth of the error.
         let known = (self.unit * self.scale + self.uncertainty) / BELOW;
         (CLEAR * copies).max((steps + known) * of_all)
+    }
+
+    /// The error of a run per sample time: its root mean square over them.
+    pub fn error(&self, run: &Run) -> f64 {
+        length(&run.errors) / (self.times.len() as f64).sqrt()
+    }
+
+    /// The floor of a run per sample time.
+    pub fn floor_of(&self, run: &Run) -> f64 {
+        let samples = self.times.len();
+        self.floor(run, samples) / (samples as f64).sqrt()
     }
 }
 

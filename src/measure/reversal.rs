@@ -2,9 +2,9 @@
 //!
 //! A symmetric scheme, Φ₋ₕ Φₕ = 1, returns to its start to rounding; any other is off by its own error.
 
-use super::copies::{rounding, sizes, starts};
-use super::{Rung, larger, steady_rung};
-use crate::model::{PerQuantity, Quantity, Snapshot, System, difference};
+use super::copies::{rounding, starts};
+use super::{Rung, steady_rung};
+use crate::model::{PerQuantity, Quantity, Snapshot, System, difference, larger, sizes};
 use crate::record::Reversal;
 use crate::simulate::{Contestant, Form, Plan};
 

@@ -16,7 +16,7 @@ use nalgebra::Vector3;
 
 use super::{Rung, copies, steady_rung};
 use crate::model::body::Shape;
-use crate::model::{Quantity, Snapshot, Start, System};
+use crate::model::{Quantity, Snapshot, Start, System, sizes};
 use crate::record::Symplecticity;
 use crate::rotation;
 use crate::simulate::{Contestant, Form, Plan};
@@ -57,7 +57,7 @@ pub fn symplecticity(contestant: &Contestant, system: &System, rungs: &[Rung]) -
     let off = copies.iter().map(|copy| of(copy).map_or(f64::INFINITY, |defect| (defect - own).abs()));
     let over = momentum * unit * unit; // (3)
     // A rounding of the position at least, over its displacement: copies on the same grid of numbers round alike.
-    let reach = copies::sizes(system, &end)[Quantity::Position];
+    let reach = sizes(system, &end)[Quantity::Position];
     let of_position = if system.body.pivoted {
         0.0
     } else {

@@ -14,6 +14,7 @@
 mod arms;
 pub mod body;
 pub(crate) mod change;
+pub(crate) mod copies;
 mod falling;
 mod forced;
 pub mod forces;
@@ -32,8 +33,10 @@ use nalgebra::{Quaternion, Vector3};
 
 use crate::rotation::{self, Rotation};
 
+pub(crate) use crate::quantity::larger;
 pub use crate::quantity::{PerQuantity, Quantity};
 pub(crate) use change::Change;
+pub(crate) use copies::sizes;
 pub(crate) use falling::Falling;
 pub(crate) use forced::Forced;
 pub use forced::Motion;

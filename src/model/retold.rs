@@ -1,4 +1,4 @@
-//! The same body told in another way: its points in another order, one of them as two, its inertia in place of them, or other body
+//! The same body described in another way: its points in another order, one of them as two, its inertia in place of them, or other body
 //! axes. No motion knows the difference, so no scheme may.
 
 use nalgebra::Vector3;

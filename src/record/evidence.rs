@@ -23,7 +23,7 @@ pub struct Evidence {
     pub setting: Setting,
     /// What the scheme claims.
     pub claims: Vec<Claim>,
-    /// Whether it is a program of its own.
+    /// Whether it is a program under test.
     pub program: bool,
     /// Name that a baseline finds it by: a program's own, where it has one.
     pub known_as: String,

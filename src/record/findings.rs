@@ -21,6 +21,7 @@ words! {
     /// What the runs of a scheme say of an order.
     OrderStatus {
         /// An order is decided.
+        #[serde(alias = "fitted")]
         Decided = "decided",
         /// Every error is at its rounding.
         Exact = "exact",
@@ -28,6 +29,7 @@ words! {
         Elsewhere = "elsewhere",
         /// The rule falls for no order.
         #[default]
+        #[serde(alias = "unsettled")]
         Undecided = "undecided",
         /// Too few errors stand clear of rounding.
         TooFew = "too-few",

@@ -150,7 +150,7 @@ pub fn likeliest_cause(
     if states.len() != truth.len() || before.len() != truth.len() {
         return None;
     }
-    let sizes = crate::measure::sizes(system, truth);
+    let sizes = crate::model::sizes(system, truth);
     let distance = |a: &[Snapshot], b: &[Snapshot]| {
         let mut largest = 0.0f64;
         for (a, b) in a.iter().zip(b) {

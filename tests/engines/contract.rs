@@ -4,8 +4,16 @@ use crate::common::program::{code, polhode, stderr, stdout};
 use crate::stage::{HELLO, Stage, example};
 
 /// Names of the clauses, in order.
-const CLAUSES: [&str; 8] =
-    ["zero-step", "two-parts", "restart", "same-twice", "two-copies", "moves", "sane-numbers", "told-alike"];
+const CLAUSES: [&str; 8] = [
+    "zero-step",
+    "two-parts",
+    "restart",
+    "same-twice",
+    "two-copies",
+    "moves",
+    "sane-numbers",
+    "described-alike",
+];
 
 /// Multiplies the step by 1 + `factor`, an expression of awk in which `steps` is the number of steps and `first` the
 /// first point's mass.
@@ -137,7 +145,7 @@ fn a_motion_that_depends_on_the_description_of_the_body_breaks_a_clause() {
     let stage = Stage::new();
     // On the mass of the first point, and on the first entry of the inertia.
     for factor in ["1e-9 * first", "1e-9 * moment"] {
-        breaks(&behind(&stage, "", &edit(&longer_step(factor)), ""), &["told-alike"]);
+        breaks(&behind(&stage, "", &edit(&longer_step(factor)), ""), &["described-alike"]);
     }
 }
 

@@ -3,12 +3,11 @@
 use std::sync::Arc;
 
 use polhode::gates::{self, Baseline};
-use polhode::model::body::Shape;
+use polhode::internals::campaign::setting;
 use polhode::model::{PerQuantity, Quantity};
 use polhode::record::{
-    ClaimName, Evidence, Ladder, Measurement, Order, Records, Ruling, Rung, SceneRow, Setting, Verdict,
+    ClaimName, Evidence, Ladder, Order, Records, Ruling, Rung, SceneRow, Setting, Verdict,
 };
-use polhode::scenes::Scene;
 use polhode::schemes::Claim;
 
 use crate::common;
@@ -27,24 +26,6 @@ pub const FLOOR: f64 = 30.0 * ROUNDING;
 pub struct Made {
     pub evidence: Evidence,
     pub baseline: Baseline,
-}
-
-/// What a scene is to a claim; no made-up scene is generic.
-pub fn setting(scene: &Scene) -> Setting {
-    let system = &scene.system;
-    let (constant_force, no_force) = system.constant_force();
-    Setting {
-        content: scene.content(),
-        not_for_order: None,
-        generic: false,
-        built_in: true,
-        torque_free: system.torque_free(),
-        steady_spin: system.steady_spin(),
-        symmetric: system.body.symmetric(),
-        constant_force,
-        no_force,
-        point: system.body.shape == Shape::Point,
-    }
 }
 
 /// Components of a quantity at one time.
@@ -85,7 +66,8 @@ impl Made {
             scheme: "made-up".to_owned(),
             known_as: "made-up".to_owned(),
             model: "free".to_owned(),
-            setting: setting(&common::scene(scene)),
+            // No made-up scene is generic.
+            setting: Setting { generic: false, not_for_order: None, ..setting(&common::scene(scene)) },
             claims: claims.to_vec(),
             ladder: Ladder {
                 times: TIMES.to_vec(),
@@ -136,7 +118,7 @@ impl Made {
         self
     }
 
-    /// Puts constants on record, or errors at the end by h, of a quantity of a scheme in a scene of this content.
+    /// Puts constants on record, or errors by h, of a quantity of a scheme in a scene of this content.
     pub fn recorded(mut self, row: Recorded) -> Made {
         let scene = SceneRow { name: "there".to_owned(), content: row.content, ..SceneRow::default() };
         let order = Order {
@@ -146,18 +128,22 @@ impl Made {
             constant: row.constant,
             ..Order::default()
         };
-        let run = |(step, error): (f64, f64)| Measurement {
-            scene: "there".to_owned(),
-            scheme: row.scheme.clone(),
-            metric: format!("{}-end", row.quantity.name()),
-            step_s: step,
-            value: Some(error),
-            uncertainty: Some(0.0),
-            ..Measurement::default()
+        let run = |(step, error): (f64, f64)| {
+            let mut rung = Rung { step, ..rung(1, TIMES.len()) };
+            rung.rounding = PerQuantity::of(|_| vec![0.0; TIMES.len()]);
+            rung.errors[row.quantity].iter_mut().step_by(components(row.quantity)).for_each(|x| *x = error);
+            rung
         };
-        let measurements = row.errors.into_iter().map(|error| Arc::new(run(error))).collect();
-        let records =
-            Records { scenes: vec![scene], orders: vec![order], measurements, ..Records::default() };
+        let mut evidence =
+            Evidence { scheme: row.scheme.clone(), known_as: row.scheme.clone(), ..self.evidence.clone() };
+        evidence.setting.content.clone_from(&scene.content);
+        evidence.ladder.rungs = row.errors.into_iter().map(run).collect();
+        let records = Records {
+            scenes: vec![scene],
+            orders: vec![order],
+            evidence: vec![Arc::new(evidence)],
+            ..Records::default()
+        };
         self.baseline = Baseline::from_records(&records);
         self
     }

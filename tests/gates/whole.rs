@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use polhode::campaign::Campaign;
 use polhode::gates::{self, Baseline};
 use polhode::internals::gates::judge_reference;
 use polhode::record::Ruling::{self, Broken, Fail, Inconclusive, NotApplicable, Pass};
@@ -9,6 +10,7 @@ use polhode::record::{ClaimName, Evidence, Records, ReferenceEvidence, SceneRow,
 use polhode::schemes::{Claim, Quantity};
 
 use super::case::{Made, numbers};
+use crate::common;
 
 #[test]
 fn the_worst_verdict_that_is_not_known_gives_the_exit_code() {
@@ -113,4 +115,23 @@ fn a_reference_is_certain_to_a_millionth_of_the_size_of_every_quantity() {
     let missing = ReferenceEvidence { missing: Some("no solver".to_owned()), ..ReferenceEvidence::default() };
     let found = judge_reference(&missing);
     assert_eq!((found.verdict, numbers(&found)), (Inconclusive, [None; 3]));
+}
+
+#[test]
+fn what_a_campaign_measured_is_a_baseline_that_it_meets_and_another_scheme_does_not() {
+    // Points, a box of inertia alone, a rod, and errors of radians.
+    let scenes =
+        || ["tether-springs", "mujoco-free-box", "swinging-rod", "thin-body"].map(common::scene).to_vec();
+    let campaign = |scheme: &str| Campaign::of(scenes(), vec![common::contestant(scheme)]);
+    let records = campaign("peskin-rk2").run();
+    let baseline = Baseline::from_records(&records);
+    let constants = |verdicts: Vec<Verdict>| -> Vec<Verdict> {
+        verdicts.into_iter().filter(|verdict| verdict.claim == ClaimName::Constant).collect()
+    };
+    let own = constants(gates::judge_all(&records, &baseline));
+    assert!(own.len() > 12 && own.iter().all(|verdict| verdict.verdict == Pass), "{own:#?}");
+    let mut other = common::contestant("peskin-trapezoid");
+    other.card.name = "peskin-rk2";
+    let changed = Campaign { baseline, ..Campaign::of(scenes(), vec![other]) };
+    assert!(constants(changed.run().verdicts).iter().any(|verdict| verdict.verdict == Fail));
 }

@@ -4,9 +4,10 @@ use nalgebra::Vector3;
 
 use super::{Clause, Evidence, PART, STEP, Stage, WHOLE};
 use crate::engine::specimen;
-use crate::engine::spread::{CLEAR, allowance, sizes};
+use crate::engine::spread::allowance;
 use crate::engine::subject::{NoStates, Subject};
-use crate::model::{PerQuantity, Quantity, Snapshot, System, difference, retold};
+use crate::model::copies::CLEAR;
+use crate::model::{PerQuantity, Quantity, Snapshot, System, difference, larger, retold, sizes};
 use crate::ode::dop853;
 use crate::rotation::{self, Rotation};
 use crate::simulate::Plan;
@@ -52,7 +53,7 @@ pub(super) fn see(clause: Clause, subject: &mut Subject, stages: &[Stage]) -> Ve
         Clause::SameTwice => same_twice,
         Clause::TwoCopies => two_copies,
         Clause::SaneNumbers | Clause::Moves => sane_numbers,
-        Clause::ToldAlike => told_alike,
+        Clause::DescribedAlike => described_alike,
     };
     let stages = stages.iter();
     stages.map(|stage| (stage.name.to_owned(), look(subject, stage).unwrap_or_else(Evidence::from))).collect()
@@ -105,11 +106,6 @@ fn zero_step(subject: &mut Subject, stage: &Stage) -> Seen {
     let moved =
         changes.fold(PerQuantity::all(0.0), |largest, change| largest.zip(change).map(|(a, b)| larger(a, b)));
     Ok(worst("change", &moved, &stage.grain.times(CLEAR, &sizes(&stage.system, &[start]))))
-}
-
-/// The larger of two numbers; NaN where one is NaN.
-fn larger(a: f64, b: f64) -> f64 {
-    if a.is_nan() || a > b { a } else { b }
 }
 
 fn two_parts(subject: &mut Subject, stage: &Stage) -> Seen {
@@ -267,7 +263,7 @@ fn sane_numbers(subject: &mut Subject, stage: &Stage) -> Seen {
 }
 
 /// The same body described in three other ways, each beside the run of the scene.
-fn told_alike(subject: &mut Subject, stage: &Stage) -> Seen {
+fn described_alike(subject: &mut Subject, stage: &Stage) -> Seen {
     let system = &stage.system;
     let whole = subject.run(system, &WHOLE)?.states;
     let limits = allowance(subject, (system, &stage.grain), &WHOLE, &whole)?;
