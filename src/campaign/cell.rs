@@ -22,7 +22,7 @@ use crate::study::stability::{self, Bench};
 const GENERIC: [&str; 3] = ["free-asymmetric", "heavy-asymmetric-top", "tether-springs"];
 /// States of a series.
 const SERIES_SAMPLES: u64 = 128;
-/// Steps of the run of the ladder that is drawn against time, at least.
+/// Steps of the run that is drawn against time, at least.
 const SERIES_STEPS: u64 = 256;
 
 /// The rows of a cell.
@@ -111,7 +111,7 @@ pub fn setting(scene: &Scene) -> Setting {
     }
 }
 
-/// A scheme in a scene, and nothing measured.
+/// A scheme in a scene, before any measurement.
 pub(crate) fn unmeasured(scene: &Scene, contestant: &Contestant) -> Evidence {
     Evidence {
         scene: scene.name.clone(),
@@ -182,12 +182,11 @@ pub(super) fn refused(scene: &Scene, contestant: &Contestant, reason: &str) -> C
     }
 }
 
-/// Energy and angular momentum against time, at a step that a user might take.
+/// Energy and angular momentum against time, at a step that a user might take, the same for every scheme.
 fn against_time(names: &rows::Names, scene: &Scene, contestant: &Contestant, rungs: &[Rung]) -> Vec<Series> {
-    let Some(rung) = rungs.iter().find(|rung| rung.steps >= SERIES_STEPS).or(rungs.last()) else {
-        return Vec::new();
-    };
-    let plan = Plan::over(scene.duration, rung.steps, SERIES_SAMPLES.min(rung.steps));
+    let Some(coarsest) = rungs.first() else { return Vec::new() };
+    let steps = coarsest.steps * SERIES_STEPS.div_ceil(coarsest.steps);
+    let plan = Plan::over(scene.duration, steps, SERIES_SAMPLES);
     let run = contestant.run(&scene.system, Form::Least, &plan);
     rows::series(names, &scene.system, plan.step, &run.states)
 }

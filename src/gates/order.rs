@@ -71,7 +71,7 @@ pub(super) fn judge(evidence: &Evidence, baseline: &Baseline) -> Vec<Verdict> {
 }
 
 /// The verdict where no run came to its end, or the finest did not. An implicit equation that is not solved says that every step tried is too
-/// large, and nothing of the limit h → 0.
+/// large; the limit h → 0 is not seen.
 fn all_broke(evidence: &Evidence) -> Option<Verdict> {
     let broken = |ruling, why: String| ruled(evidence, ClaimName::Run, "all", ruling, why);
     let Some(finest) = evidence.ladder.rungs.last() else {
@@ -157,7 +157,7 @@ fn judge_jump(evidence: &Evidence, quantity: Quantity, decision: &Decision) -> O
     })
 }
 
-/// Whether the order is at least the claimed one; nothing where none is claimed, or the quantity is promised to be exact.
+/// Whether the order is at least the claimed one; `None` without a claim, or where the quantity is promised to be exact.
 fn judge_order(evidence: &Evidence, quantity: Quantity, decision: &Decision) -> Option<Verdict> {
     let claimed = evidence.order();
     let smooth = evidence.setting.not_for_order.is_none();
@@ -197,7 +197,7 @@ fn judge_generic(evidence: &Evidence, least: Option<u32>) -> Option<Verdict> {
 }
 
 /// Runs of an odd number of steps at the end: at their rounding where the others are, and otherwise between the coarser and the finer run.
-/// Nothing where that holds.
+/// `None` where that holds.
 fn judge_odd(evidence: &Evidence, quantity: Quantity, decision: &Decision) -> Option<Verdict> {
     let ladder = &evidence.ladder;
     let asked = Asked::of(ladder, quantity);
@@ -261,7 +261,7 @@ fn judge_constant(
     })
 }
 
-/// Every run against the run of the same step on record; nothing where they agree or none is on record.
+/// Every run against the run of the same step on record; `None` where they agree or none is on record.
 fn judge_record(evidence: &Evidence, quantity: Quantity, baseline: &Baseline) -> Option<Verdict> {
     let recorded = baseline.find(&evidence.setting.content, &evidence.known_as, quantity.name())?;
     let asked = Asked::of(&evidence.ladder, quantity);

@@ -22,7 +22,7 @@ const MOST_STEPS: u64 = 1 << 17;
 const MOST_HALVINGS: u32 = 10;
 /// Least order that has a run between any two halvings: few of them lie between errors of the size of the motion and rounding.
 const HIGH_ORDER: u32 = 6;
-/// Evaluations of a run of a solver that chooses its own steps after which there is no other, …
+/// Evaluations of a run of an adaptive solver after which the ladder ends, …
 const MOST_EVALUATIONS: u64 = 60_000;
 /// … and its tolerances: none is looser, and solvers in f64 fail below.
 const TOLERANCE: std::ops::RangeInclusive<f64> = 1e-12..=0.1;
@@ -109,7 +109,7 @@ fn steps(contestant: &Contestant, phase: f64, order: u32) -> Vec<u64> {
     }
 }
 
-/// Whether finer runs would say nothing else.
+/// Whether finer runs would not change the answer.
 fn is_done(contestant: &Contestant, climbed: &Climbed, order: Option<u32>) -> bool {
     let Some(finest) = climbed.ladder.rungs.last() else { return false };
     let exact = |quantity| {

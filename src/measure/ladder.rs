@@ -199,7 +199,7 @@ impl<'a> Truth<'a> {
         rung
     }
 
-    /// Takes in the distances of the copies from the run, at the states that `sampled` takes of each. A copy that breaks says nothing of
+    /// Takes in the distances of the copies from the run, at the states that `sampled` takes of each. A copy that breaks is no evidence of
     /// rounding. Runs that choose their own steps have no copies: those would choose others.
     fn add_rounding(
         &self,

@@ -201,7 +201,7 @@ pub fn decide(asked: &Asked) -> Decision {
     while samples > 0 {
         match decide_until(asked, samples) {
             found @ (Decision::Order(_) | Decision::Elsewhere { .. }) => return found,
-            // At an early time nothing may have happened yet: that says nothing of the end.
+            // An error that is still zero early in the run is no evidence about the end.
             Decision::Exact if at_end.is_none() => return Decision::Exact,
             other => at_end = at_end.or(Some(other)),
         }
@@ -395,7 +395,7 @@ mod tests {
             assert_eq!((found.order, found.until), (p as u32, 16.0));
             let (low, high) = found.bounds();
             assert!(low <= found.slope && found.slope <= high, "{found:?}");
-            // The next term is gone, and there is no other: rounding of 8 runs is left.
+            // The fit has removed the next term and no other is there: the rounding of 8 runs remains.
             assert!((found.constant / 3.0 - 1.0).abs() < 1e-9, "{found:?}");
         }
     }

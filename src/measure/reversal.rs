@@ -53,7 +53,7 @@ fn there_and_back(contestant: &Contestant, system: &System, step: f64, steps: u6
     Some(Return { start, back, solves: there.outcome.solves, there: there.states })
 }
 
-/// How far copies of a way there and back end from it, at most; a copy that breaks says nothing.
+/// How far copies of a way there and back end from it, at most; a copy that breaks is left out.
 fn spread(contestant: &Contestant, system: &System, step: f64, steps: u64, own: &Return) -> PerQuantity<f64> {
     let starts = starts(system, &own.there, f64::EPSILON, false);
     let copies = starts.iter().filter_map(|start| there_and_back(contestant, start, step, steps));
@@ -62,7 +62,7 @@ fn spread(contestant: &Contestant, system: &System, step: f64, steps: u64, own: 
     })
 }
 
-/// The largest of the differences over their roundings, with the quantity that it belongs to and the difference; nothing where one is NaN.
+/// The largest of the differences over their roundings, with the quantity that it belongs to and the difference; `None` where one is NaN.
 pub(super) fn worst(
     off: PerQuantity<f64>,
     rounding: PerQuantity<f64>,

@@ -15,7 +15,7 @@ words! {
         /// The measurement cannot decide.
         #[default]
         Inconclusive = "inconclusive",
-        /// The claim says nothing about this scene.
+        /// The claim is not about this scene.
         NotApplicable = "not-applicable",
         /// The run or its reference failed.
         Broken = "broken",

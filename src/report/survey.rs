@@ -184,12 +184,3 @@ pub(super) fn capital(text: &str) -> String {
     let first: String = letters.next().map(|letter| letter.to_uppercase().collect()).unwrap_or_default();
     format!("{first}{}", letters.as_str())
 }
-
-/// Where a quantity is taken, in words: `at the end`, `maximum over the run`, or nothing.
-pub(super) fn place_words(quantity: &str) -> &'static str {
-    match quantity {
-        _ if quantity.ends_with("-end") => "at the end",
-        _ if quantity.ends_with("-max") => "maximum over the run",
-        _ => "",
-    }
-}

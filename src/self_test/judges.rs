@@ -16,7 +16,7 @@ pub struct WrongJudge {
 
 impl WrongJudge {
     /// Ladders of the table on which it says something else than what is right.
-    pub fn told_by(&self) -> impl Iterator<Item = &'static Row> {
+    pub fn exposed_by(&self) -> impl Iterator<Item = &'static Row> {
         TABLE.iter().filter(|row| (self.judge)(&row.rungs(), f64::from(row.order)) != row.right)
     }
 }

@@ -1,4 +1,4 @@
-//! The rule of orders on ladders made up of numbers: what a right judge says of each is known.
+//! The rule of orders on ladders made up of numbers: the right verdict on each is known.
 
 use super::noise::Noise;
 use crate::measure::{Asked, Decision, Run, decide};

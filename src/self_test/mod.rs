@@ -154,7 +154,7 @@ fn told_judge(judge: &judges::WrongJudge) -> Outcome {
     Outcome {
         name: format!("judge that {}", judge.name),
         place: "judge",
-        caught_by: judge.told_by().map(|row| format!("ladder-{}", row.right)).collect(),
+        caught_by: judge.exposed_by().map(|row| format!("ladder-{}", row.right)).collect(),
         scenes: Vec::new(),
     }
 }

@@ -182,7 +182,7 @@ pub struct Recorded {
 }
 
 impl Recorded {
-    /// Of a made-up case, with nothing in it yet.
+    /// An empty case.
     pub fn of(made: &Made, quantity: Quantity) -> Recorded {
         let (content, scheme) = (made.evidence.setting.content.clone(), made.evidence.scheme.clone());
         Recorded { content, scheme, quantity, constant: None, errors: Vec::new() }

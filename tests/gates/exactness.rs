@@ -71,7 +71,7 @@ fn the_worst_run_is_that_which_is_farthest_above_its_own_rounding() {
     rungs[4].errors[Quantity::Orientation][0] = 3.0 * FLOOR;
     let verdict = made.verdict(Exact, "orientation");
     assert_eq!((verdict.verdict, verdict.high), (Fail, Some(2.0 * FLOOR)));
-    // Of a run that broke nothing is said, and of no run nothing.
+    // The verdict is broken only where every run broke.
     made = made.broken(4);
     assert_eq!(made.ruling(Exact, "orientation"), Pass);
     for run in 0..RUNS {

@@ -25,7 +25,7 @@ fn an_order_is_at_least_the_claimed_one_and_the_slope_stands_beside_the_verdict(
         let verdict = made.verdict(Order, "position");
         let [slope, low, high] = numbers(&verdict).map(|number| number.expect("a number"));
         assert_eq!(verdict.verdict, expected, "{order}");
-        // A pure power leaves no r: slope and bounds are the order, to rounding of its logarithm.
+        // The residual r of a pure power is zero: slope and bounds equal the order to rounding of its logarithm.
         assert!([slope, low, high].iter().all(|number| (number - order).abs() < 1e-12), "{verdict:?}");
         // An order that is judged says whether the runs converge.
         assert!(!made.quantities(Converges).contains(&"position".to_owned()));
@@ -133,7 +133,7 @@ fn every_quantity_is_judged_but_what_is_promised_to_be_exact_and_the_rotation_of
     for (scene, more, without) in [
         ("free-asymmetric", vec![], vec![]),
         ("free-asymmetric", vec![place], vec![POSITION]),
-        // A promise that does not speak of the scene excuses nothing.
+        // A promise that does not hold in the scene exempts no quantity.
         ("free-asymmetric", vec![turn], vec![]),
         // A body point is exact where place and rotation are.
         ("slow-sphere", vec![place, turn], vec![POSITION, Quantity::Orientation, Quantity::BodyPoint]),
@@ -240,7 +240,7 @@ fn an_odd_number_of_steps_is_what_the_other_runs_make_of_it() {
         [exact(SECOND, 7, 1.0), exact(promised, 7, 1.0), exact(promised, 7, FLOOR)],
         [false, true, false]
     );
-    // Of what is undecided nothing is asked.
+    // A run of an odd number of steps is not judged where the order is undecided.
     assert!(!with(position(&power(2.0)[..3], ROUNDING), 49, 1.0));
 }
 
@@ -272,7 +272,7 @@ fn a_constant_is_that_on_record_to_one_percent() {
     row.constant = Some(1.0);
     let first = position(&power(1.0), ROUNDING).recorded(row);
     assert_eq!([first.ruling(Constant, "position"), first.ruling(Order, "position")], [Pass, Fail]);
-    // Where an error has vanished the scheme is another; where it is undecided nothing is known.
+    // A vanished error shows another scheme; an undecided one gives no verdict.
     let gone = |made: &Made| constant(made, |row| row.constant = Some(1.0));
     assert_eq!(gone(&position(&[0.0; RUNS], ROUNDING)), [Fail]);
     assert_eq!(gone(&position(&power(2.0)[..3], ROUNDING)), [Inconclusive]);
@@ -313,7 +313,7 @@ fn the_error_of_every_run_is_that_on_record_to_a_half_of_it() {
     ] {
         assert_eq!(at(&second, 0.25, known), expected, "{known}");
     }
-    // Nothing is on record of a step in between.
+    // The record has no step in between.
     assert!(at(&second, 0.3, 7.0).is_empty());
     // What is at its rounding is so whatever the record, and a run that broke is none.
     let exact = position(&[FLOOR; RUNS], ROUNDING);

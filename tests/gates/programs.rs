@@ -20,11 +20,11 @@ fn program(scheme: &str, order: Option<u32>, tell: fn(&Snapshot) -> Snapshot) ->
         |_| None,
         move |system, plan, store| {
             inner.stream(system, Form::Least, plan, &mut |s| {
-                let told = tell(s);
+                let reported = tell(s);
                 // The harness computes L from the reported angular velocity.
-                let spin = told.orientation.inverse_transform_vector(&told.angular_velocity);
-                let angular_momentum = told.orientation * (system.body.inertia * spin);
-                store(&Snapshot { angular_momentum, ..told });
+                let spin = reported.orientation.inverse_transform_vector(&reported.angular_velocity);
+                let angular_momentum = reported.orientation * (system.body.inertia * spin);
+                store(&Snapshot { angular_momentum, ..reported });
             })
         },
     )

@@ -202,7 +202,7 @@ fn a_limit_of_stability_is_judged_with_its_bounds_where_one_is_on_record() {
     assert_eq!(at(Some(known)), bounds(Pass, known));
     assert_eq!(at(Some(known * 1.03)), bounds(Fail, known * 1.03));
     assert_eq!(at(None), (Fail, [None; 3]));
-    // Nothing is said without a measurement, or of a scheme that is not on record.
+    // There is no verdict without a measurement or without a record of the scheme.
     let mut made = Made::new("free-asymmetric", &[]);
     assert!(made.quantities(Stable).is_empty());
     made.evidence.step_limit = Some(stored.clone());

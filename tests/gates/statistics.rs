@@ -24,7 +24,7 @@ fn the_rule_says_of_every_made_up_ladder_what_is_right() {
 #[test]
 fn every_wrong_judge_is_told_from_the_right_one() {
     for wrong in WRONG_JUDGES {
-        assert!(wrong.told_by().next().is_some(), "a judge that {} is never told", wrong.name);
+        assert!(wrong.exposed_by().next().is_some(), "a judge that {} is never exposed", wrong.name);
     }
     assert!(WRONG_JUDGES.len() >= 18);
 }
@@ -39,7 +39,7 @@ fn direction(noise: &mut Noise) -> [f64; 3] {
     vector.map(|x| x / length)
 }
 
-/// The order that is decided on runs of halved steps whose error has a leading term of an order and the next one, in directions of their own at
+/// The order that is decided on runs of halved steps whose error has a leading term of an order and the next one, each in another direction at
 /// four times; the next is `part` of the leading one at the finest step.
 fn decided(noise: &mut Noise, order: i32, runs: i32, part: f64) -> Option<u32> {
     const TIMES: [f64; 4] = [0.25, 0.5, 0.75, 1.0];

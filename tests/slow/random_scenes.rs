@@ -78,7 +78,7 @@ fn what_was_once_held_against_a_correct_scheme_is_no_longer() {
     }
 }
 
-/// The other side: a gate that fails no scheme holds nothing against a correct one either.
+/// The counterpart of the test above: gates that never fail anything would pass that one too.
 #[test]
 fn a_wrong_order_fails_in_nearly_every_random_scene_and_passes_in_none() {
     let rows = power::run(20, 10);

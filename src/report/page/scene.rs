@@ -79,12 +79,7 @@ impl Scene {
             costs: costs(records, name, &schemes),
             figures: scene_figures(figures, name),
             ranking,
-            orders: records
-                .orders
-                .iter()
-                .filter(|row| row.scene == name)
-                .map(|row| OrderRow::new(records, row))
-                .collect(),
+            orders: records.orders.iter().filter(|row| row.scene == name).map(OrderRow::new).collect(),
             drifts: records.drifts.iter().filter(|row| row.scene == name).map(DriftRow::new).collect(),
             measures: measures(&rows, &schemes),
             schemes: schemes.iter().map(|scheme| finest_words(&rows, scheme)).collect(),

@@ -87,11 +87,10 @@ pub(super) fn order_words(order: &Order) -> String {
     }
 }
 
-/// One fitted order with everything known about it.
+/// One order with everything known about it.
 #[derive(Serialize)]
 pub(super) struct OrderRow {
     quantity: String,
-    place: &'static str,
     scheme: String,
     order: String,
     constant: String,
@@ -101,13 +100,12 @@ pub(super) struct OrderRow {
 }
 
 impl OrderRow {
-    pub(super) fn new(records: &Records, order: &Order) -> OrderRow {
+    pub(super) fn new(order: &Order) -> OrderRow {
         OrderRow {
             quantity: survey::quantity_words(&order.quantity),
-            place: survey::place_words(&order.quantity),
             scheme: order.scheme.clone(),
             order: order_words(order),
-            constant: constant(records, order),
+            constant: constant(order),
             rungs: format!("{} of {}", order.rungs_used, order.rungs_used + order.rungs_dropped),
             floor: number::joined(
                 &order.floor.map_or(number::NONE.into(), |f| number::significant(f, 2)),
@@ -118,26 +116,22 @@ impl OrderRow {
     }
 }
 
-/// C = e/hᵖ; its uncertainty is how far e/hᵖ strays from it inside the fitted window.
-fn constant(records: &Records, order: &Order) -> String {
-    let (Some(constant), Some(power)) = (order.constant, survey::claimed_order(records, &order.scheme))
-    else {
+/// What five digits of two errors leave of a constant, relative: three times half a unit of the last.
+const OF_DIGITS: f64 = 1.5e-5;
+
+/// C of C hᵖ. It is extrapolated from two runs that differ from a power of h by r, which leaves about r² of it.
+fn constant(order: &Order) -> String {
+    let (Some(constant), Some(slope), Some(r)) = (order.constant, order.order, order.r) else {
         return number::quantity(order.constant, None, &order.unit);
     };
-    let stray = records
-        .measurements
-        .iter()
-        .filter(|row| row.scene == order.scene && row.scheme == order.scheme && row.metric == order.quantity)
-        .filter(|row| survey::in_window(order, row.step_s))
-        .filter_map(|row| Some((row.value?.abs() / row.step_s.powi(power as i32) - constant).abs()))
-        .reduce(f64::max);
+    let power = slope.round() as u32;
     let unit = match order.unit.as_str() {
         "" => "1".to_string(),
         ratio if ratio.contains('/') => format!("({ratio})"),
         plain => plain.to_string(),
     };
     let per = if power == 1 { "/s".to_string() } else { format!("/s{}", number::superscript(power as i32)) };
-    number::quantity(Some(constant), stray, &format!("{unit}{per}"))
+    number::quantity(Some(constant), Some(constant * (r * r + OF_DIGITS)), &format!("{unit}{per}"))
 }
 
 /// A conserved quantity's drift.

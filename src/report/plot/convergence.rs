@@ -75,7 +75,7 @@ fn entries(palette: &Palette, drawn: &[Quantity]) -> Vec<Entry> {
     let mut entries: Vec<Entry> =
         shown.map(|scheme| Entry::new(Sign::Scheme(palette.look(scheme)), *scheme)).collect();
     if curves().any(|curve| curve.rungs.iter().any(|rung| !rung.used)) {
-        entries.push(Entry::new(Sign::Hollow, "left out of the fit"));
+        entries.push(Entry::new(Sign::Hollow, "does not decide the order"));
     }
     if drawn.iter().any(|quantity| !quantity.guide_orders().is_empty()) {
         entries.push(Entry::new(Sign::Guide, "guide of whole slope"));

@@ -36,7 +36,7 @@ pub(super) fn draw(sketch: &mut Sketch, palette: &Palette, quantity: &Quantity, 
     panel.label_y(sketch);
     panel.title(sketch, &title(quantity));
     let ends = quantity.curves.iter().filter_map(|curve| label(palette, &panel, curve)).collect();
-    labels::draw(sketch, frame, ends);
+    labels::list(sketch, frame, ends);
 }
 
 fn title(quantity: &Quantity) -> String {
@@ -163,16 +163,16 @@ fn draw_broken(sketch: &mut Sketch, palette: &Palette, panel: &Panel, curve: &Cu
 }
 
 fn label(palette: &Palette, panel: &Panel, curve: &Curve) -> Option<Label> {
-    let last = curve.rungs.last()?;
-    let end = panel.place(last.step, last.error.max(panel.y.low));
+    let finest = curve.rungs.first()?;
+    let end = panel.place(finest.step, finest.error.max(panel.y.low));
     Some(Label { words: label_words(curve), end, look: palette.look(curve.scheme) })
 }
 
-/// What stands at a curve's end: its order with the interval, or why it has none.
+/// What stands beside a curve: its order with the bounds, or why it has none.
 pub(super) fn label_words(curve: &Curve) -> String {
     match curve.order {
         Some(fit) if fit.status == OrderStatus::Decided => number::order(fit.order, fit.low, fit.high),
         Some(fit) => fit.status.word().replace('-', " "),
-        None => "no fit".into(),
+        None => "no order".into(),
     }
 }

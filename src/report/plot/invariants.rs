@@ -105,6 +105,9 @@ fn entries(palette: &Palette, here: &[&Series]) -> Vec<Entry> {
     entries
 }
 
+/// More schemes than these are counted in a title.
+const MOST_NAMES: usize = 3;
+
 /// Draws a panel of the series of one quantity.
 fn draw_panel(
     sketch: &mut Sketch,
@@ -145,7 +148,9 @@ fn title(rows: &[&Series]) -> String {
         unit => format!("|change| of {words} [{unit}]"),
     };
     if !still.is_empty() && still.len() < rows.len() {
-        title += &format!(" (none at all in {})", still.join(", "));
+        let names =
+            if still.len() > MOST_NAMES { format!("{} schemes", still.len()) } else { still.join(", ") };
+        title += &format!(" (none at all in {names})");
     }
     title
 }

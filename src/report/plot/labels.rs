@@ -19,6 +19,8 @@ const EM: f64 = 28.0;
 const LEADING: f64 = 38.0;
 /// From the frame to the words; the leader lines run here.
 const LEADER: f64 = 34.0;
+/// Radius of a marker before its words.
+const MARKER: f64 = 9.0;
 
 /// Width of the column that the labels need.
 pub(super) fn column_width<'a>(words: impl Iterator<Item = &'a str>) -> f64 {
@@ -26,20 +28,37 @@ pub(super) fn column_width<'a>(words: impl Iterator<Item = &'a str>) -> f64 {
 }
 
 /// Draws the labels right of the frame, with a thin line from each curve to its label.
-pub(super) fn draw(sketch: &mut Sketch, frame: Frame, mut labels: Vec<Label>) {
-    labels.sort_by(|a, b| a.end.1.total_cmp(&b.end.1));
-    // More labels than lines fit beside the panel: the legend and the tables still name every scheme.
-    let most = ((frame.bottom - frame.top) / LEADING) as usize;
-    labels.truncate(most);
-    let wanted: Vec<f64> = labels.iter().map(|label| label.end.1).collect();
-    for (label, y) in labels.iter().zip(spread(&wanted, frame.top, frame.bottom, LEADING)) {
+pub(super) fn draw(sketch: &mut Sketch, frame: Frame, labels: Vec<Label>) {
+    for (label, y) in placed(frame, labels) {
         let from = (label.end.0 + 14.0, label.end.1);
         let knee = (frame.right + 10.0, y);
         let pale = tint(label.look.ink, 0.45);
         sketch.line(vec![from, knee, (frame.right + LEADER - 6.0, y)], pale, 2.0);
-        let face = Type::plain(EM, label.look.text);
-        sketch.text(&label.words, (frame.right + LEADER, y), Anchor::Start, face);
+        write(sketch, frame, &label, y);
     }
+}
+
+/// Draws the labels right of the frame, each behind the marker of its curve: where curves meet at the right, lines to them would meet too.
+pub(super) fn list(sketch: &mut Sketch, frame: Frame, labels: Vec<Label>) {
+    for (label, y) in placed(frame, labels) {
+        sketch.marker(label.look.marker, (frame.right + LEADER / 2.0, y), MARKER, label.look.ink, true);
+        write(sketch, frame, &label, y);
+    }
+}
+
+fn write(sketch: &mut Sketch, frame: Frame, label: &Label, y: f64) {
+    let face = Type::plain(EM, label.look.text);
+    sketch.text(&label.words, (frame.right + LEADER, y), Anchor::Start, face);
+}
+
+/// The labels from top to bottom, and the height of each.
+fn placed(frame: Frame, mut labels: Vec<Label>) -> Vec<(Label, f64)> {
+    labels.sort_by(|a, b| a.end.1.total_cmp(&b.end.1));
+    // More labels than lines fit beside the panel: the legend and the tables still name every scheme.
+    labels.truncate(((frame.bottom - frame.top) / LEADING) as usize);
+    let wanted: Vec<f64> = labels.iter().map(|label| label.end.1).collect();
+    let heights = spread(&wanted, frame.top, frame.bottom, LEADING);
+    labels.into_iter().zip(heights).collect()
 }
 
 /// Moves ordered heights apart until neighbours are `gap` apart, each as near as can be to where it was, all

@@ -157,7 +157,7 @@ pub(super) fn draw_orders(
         sketch.text(&fitted(scene, NAME, NAME_ROOM), place, Anchor::End, NAME);
     }
     let place = (frame.left, frame.top - 30.0);
-    sketch.text("Measured order, 95 % interval, a row a scene", place, Anchor::Start, TITLE);
+    sketch.text("Measured order with its bounds, a row a scene", place, Anchor::Start, TITLE);
 }
 
 /// Draws the orders of the schemes that make one claim.
