@@ -21,8 +21,8 @@ const SCENES: [&str; 4] = ["free-asymmetric", "kovalevskaya", "tether-springs", 
 /// # Panics
 /// It has another, none can be read, or a run breaks; the message says where and what was measured.
 #[track_caller]
-pub fn assert_order<S: Scheme>(_scheme: &S, order: u32) {
-    assert_order_in(&Contestant::new::<S>(), order, &SCENES);
+pub fn assert_order<S: Scheme>(scheme: &S, order: u32) {
+    assert_order_in(&Contestant::new(scheme.clone()), order, &SCENES);
 }
 
 /// The same for a scheme in body axes.
@@ -30,8 +30,8 @@ pub fn assert_order<S: Scheme>(_scheme: &S, order: u32) {
 /// # Panics
 /// As [`assert_order`].
 #[track_caller]
-pub fn assert_order_in_body_axes<S: TurningScheme>(_scheme: &S, order: u32) {
-    assert_order_in(&Contestant::turning::<S>(), order, &SCENES);
+pub fn assert_order_in_body_axes<S: TurningScheme>(scheme: &S, order: u32) {
+    assert_order_in(&Contestant::turning(scheme.clone()), order, &SCENES);
 }
 
 /// The same for anything that can be measured, in scenes of your own: built-in names or paths of scene files.

@@ -23,20 +23,22 @@
 //! use polhode::prelude::*;
 //!
 //! /// Heun's rule: the mean of the rates at both ends of the step.
+//! #[derive(Clone, Copy)]
 //! struct Heun;
 //!
 //! impl Scheme for Heun {
-//!     const CARD: Card = Card::new("my-heun", &[Claim::Order(2), Claim::Evaluations(2)]);
+//!     fn card(&self) -> Card {
+//!         Card::new("my-heun", &[Claim::Order(2), Claim::Evaluations(2)])
+//!     }
+//!
 //!     const STATES: usize = 1;
 //!
-//!     fn step<M: Model>(
-//!         model: &M, t: f64, h: f64, from: &M::State, to: &mut M::State, work: &mut Workspace<M>,
-//!     ) -> Result<(), Broken> {
+//!     fn step<M: Model>(&self, model: &M, Step { t, h, from, to, work }: Step<M>) -> Result<(), Broken> {
 //!         let [end] = work.buffers();
 //!         let k0 = model.rates(t, from)?;
 //!         model.advance(from, h, &k0, end);
 //!         let k1 = model.rates(t + h, end)?;
-//!         model.advance(from, h, &((k0 + k1) * 0.5), to);
+//!         model.advance(from, h, &((k0 + k1) / 2.0), to);
 //!         Ok(())
 //!     }
 //! }
@@ -46,7 +48,7 @@
 //!
 //! // Every claim of the card, not the order alone:
 //! let scenes = vec![Scene::find("free-asymmetric")?];
-//! let records = Campaign::of(scenes, vec![Contestant::new::<Heun>()]).run();
+//! let records = Campaign::of(scenes, vec![Contestant::new(Heun)]).run();
 //! assert_eq!(polhode::gates::exit_code(&records.verdicts), 0);
 //! # Ok::<(), polhode::scenes::SceneError>(())
 //! ```
@@ -93,7 +95,7 @@
 //!
 //! // 200 steps of 0.01 s, with ten states kept.
 //! let plan = Plan::over(scene.duration, 200, 10);
-//! let run = Contestant::new::<PeskinRk2>().run(&scene.system, Form::Least, &plan);
+//! let run = Contestant::new(PeskinRk2).run(&scene.system, Form::Least, &plan);
 //! let last = run.states.last().expect("a run has states");
 //! assert!((last.position.z + 0.5 * 9.81 * last.time.powi(2)).abs() < 1e-12);
 //! # Ok::<(), polhode::scenes::SceneError>(())
@@ -114,7 +116,7 @@
 //! use polhode::schemes::{Euler, PeskinRk2};
 //!
 //! let scenes = vec![Scene::find("kovalevskaya")?];
-//! let contestants = vec![Contestant::new::<PeskinRk2>(), Contestant::new::<Euler>()];
+//! let contestants = vec![Contestant::new(PeskinRk2), Contestant::new(Euler)];
 //! let records = Campaign::of(scenes, contestants).run(); // or Records::read(Path::new("records.json"))?
 //!
 //! // The measured order of one quantity, with its bounds.

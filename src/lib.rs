@@ -100,7 +100,7 @@ pub mod internals {
 
     pub mod model {
         pub use crate::model::change::Change;
-        pub use crate::model::free::Free;
+        pub use crate::model::free::{Free, FreeRates};
         pub use crate::model::system::AnyModel;
         pub use crate::model::*;
         pub mod retold {

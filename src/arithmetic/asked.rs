@@ -56,6 +56,7 @@ impl<S: Simd, const R: usize> Number for Asked<S, R> {
 }
 
 impl<S: Simd, const R: usize> Row for Asked<S, R> {
+    type Scalar = f64;
     type Proof = S;
     type Chunk = [S::f64s; R];
     const COUNT: usize = R * S::F64_LANES;
@@ -94,7 +95,7 @@ impl<S: Simd, const R: usize> Row for Asked<S, R> {
 /// Work on rows of `R` registers.
 pub(super) struct Asking<W, const R: usize>(pub(super) W);
 
-impl<W: Work, const R: usize> WithSimd for Asking<W, R> {
+impl<W: Work<f64>, const R: usize> WithSimd for Asking<W, R> {
     type Output = W::Output;
 
     #[inline(always)]

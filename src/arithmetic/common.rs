@@ -56,6 +56,7 @@ impl<const R: usize> Number for Common<R> {
 const QUAD: usize = 4;
 
 impl<const R: usize> Row for Common<R> {
+    type Scalar = f64;
     type Proof = ();
     type Chunk = [[f64; QUAD]; R];
     const COUNT: usize = R * QUAD;

@@ -7,6 +7,11 @@
 #[cfg(all(target_arch = "x86_64", feature = "cli"))]
 mod asked;
 mod common;
+mod double_double;
+mod field;
+mod real;
+pub mod series;
+mod single;
 
 use std::ops::{Add, Mul, Sub};
 
@@ -18,6 +23,9 @@ use pulp::x86::{V3, V4};
 #[cfg(all(target_arch = "x86_64", feature = "cli"))]
 use asked::Asking;
 use common::Common;
+pub use double_double::DoubleDouble;
+pub use real::Real;
+pub use single::Single;
 
 /// Sums and products.
 pub trait Number:
@@ -44,6 +52,9 @@ impl Number for f64 {
 
 /// Numbers side by side, one of each body.
 pub trait Row: Number {
+    /// The number of a lane.
+    type Scalar: Real;
+
     /// Proof that the machine has the registers that they stand in.
     type Proof: Copy;
 
@@ -51,16 +62,16 @@ pub trait Row: Number {
     const COUNT: usize;
 
     /// The same in every lane.
-    fn splat(proof: Self::Proof, value: f64) -> Self;
+    fn splat(proof: Self::Proof, value: Self::Scalar) -> Self;
 
     /// [`COUNT`](Row::COUNT) numbers in memory, as they are loaded and stored.
     type Chunk: Copy;
 
     /// Numbers by the row; those left over at the end are none.
-    fn chunks(values: &[f64]) -> &[Self::Chunk];
+    fn chunks(values: &[Self::Scalar]) -> &[Self::Chunk];
 
     /// The same, to be written to.
-    fn chunks_mut(values: &mut [f64]) -> &mut [Self::Chunk];
+    fn chunks_mut(values: &mut [Self::Scalar]) -> &mut [Self::Chunk];
 
     /// A number a lane.
     fn load(proof: Self::Proof, chunk: &Self::Chunk) -> Self;
@@ -69,7 +80,7 @@ pub trait Row: Number {
     fn store(self, chunk: &mut Self::Chunk);
 
     /// The largest; NaN counts as none.
-    fn largest(self) -> f64;
+    fn largest(self) -> Self::Scalar;
 }
 
 /// The registers of this machine.
@@ -89,12 +100,12 @@ enum Width {
 }
 
 /// Work on rows of numbers.
-pub trait Work {
+pub trait Work<T: Real> {
     /// What comes of it.
     type Output;
 
     /// Does it with rows of this kind.
-    fn with_rows<T: Row>(self, proof: T::Proof) -> Self::Output;
+    fn with_rows<R: Row<Scalar = T>>(self, proof: R::Proof) -> Self::Output;
 }
 
 impl Registers {
@@ -126,7 +137,7 @@ impl Registers {
 
     /// Does work with rows of two registers, so that one computes while the other waits.
     #[inline(always)]
-    pub fn by_two<W: Work>(self, work: W) -> W::Output {
+    pub fn by_two<W: Work<f64>>(self, work: W) -> W::Output {
         match self.0 {
             #[cfg(all(target_arch = "x86_64", feature = "cli"))]
             Width::Avx512(eight) => Simd::vectorize(eight, Asking::<W, 2>(work)),
@@ -138,7 +149,7 @@ impl Registers {
 
     /// Does work with rows of eight numbers, as many registers as that takes.
     #[inline(always)]
-    pub fn by_eight<W: Work>(self, work: W) -> W::Output {
+    pub fn by_eight<W: Work<f64>>(self, work: W) -> W::Output {
         match self.0 {
             #[cfg(all(target_arch = "x86_64", feature = "cli"))]
             Width::Avx512(eight) => Simd::vectorize(eight, Asking::<W, 1>(work)),

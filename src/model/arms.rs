@@ -9,6 +9,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::forces::Arms;
+use crate::arithmetic::Real;
 use crate::arithmetic::{Registers, Row, Work};
 use crate::rotation::formulas;
 
@@ -17,42 +18,42 @@ const PARTS: usize = 8;
 
 /// Arms [m], one column a coordinate; a multiple of eight long.
 #[derive(Debug, PartialEq)]
-pub(super) struct Columns {
-    x: Vec<f64>,
-    y: Vec<f64>,
-    z: Vec<f64>,
+pub(super) struct Columns<T: Real = f64> {
+    x: Vec<T>,
+    y: Vec<T>,
+    z: Vec<T>,
 }
 
 /// A column filled up with zeros to a multiple of eight.
-pub(super) fn filled(mut column: Vec<f64>) -> Vec<f64> {
-    column.resize(column.len().next_multiple_of(PARTS), 0.0);
+pub(super) fn filled<T: Real>(mut column: Vec<T>) -> Vec<T> {
+    column.resize(column.len().next_multiple_of(PARTS), T::zero());
     column
 }
 
-impl Clone for Columns {
-    fn clone(&self) -> Columns {
+impl<T: Real> Clone for Columns<T> {
+    fn clone(&self) -> Columns<T> {
         Columns { x: self.x.clone(), y: self.y.clone(), z: self.z.clone() }
     }
 
     /// Into the buffers that are there.
-    fn clone_from(&mut self, other: &Columns) {
+    fn clone_from(&mut self, other: &Columns<T>) {
         self.x.clone_from(&other.x);
         self.y.clone_from(&other.y);
         self.z.clone_from(&other.z);
     }
 }
 
-impl Columns {
-    pub(super) fn new(arms: &[Vector3<f64>]) -> Columns {
+impl<T: Real> Columns<T> {
+    pub(super) fn new(arms: &[Vector3<T>]) -> Columns<T> {
         let column = |i: usize| filled(arms.iter().map(|arm| arm[i]).collect());
         Columns { x: column(0), y: column(1), z: column(2) }
     }
 
-    pub(super) fn at(&self, k: usize) -> Vector3<f64> {
+    pub(super) fn at(&self, k: usize) -> Vector3<T> {
         Vector3::new(self.x[k], self.y[k], self.z[k])
     }
 
-    pub(super) fn set(&mut self, k: usize, arm: &Vector3<f64>) {
+    pub(super) fn set(&mut self, k: usize, arm: &Vector3<T>) {
         (self.x[k], self.y[k], self.z[k]) = (arm.x, arm.y, arm.z);
     }
 
@@ -61,7 +62,7 @@ impl Columns {
         self.x.len()
     }
 
-    pub(super) fn view(&self) -> Arms<'_> {
+    pub(super) fn view(&self) -> Arms<'_, T> {
         Arms::Columns { x: &self.x, y: &self.y, z: &self.z }
     }
 
@@ -72,28 +73,28 @@ impl Columns {
 
 /// Sums (2): squares, then products yz, zx, xy.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Sums {
-    squares: Vector3<f64>,
-    products: Vector3<f64>,
+pub(super) struct Sums<T: Real = f64> {
+    squares: Vector3<T>,
+    products: Vector3<T>,
 }
 
-impl Sums {
+impl<T: Real> Sums<T> {
     /// Of arms as they stand.
-    pub(super) fn of(arms: &Columns, masses: &[f64]) -> Sums {
+    pub(super) fn of(arms: &Columns<T>, masses: &[T]) -> Sums<T> {
         let (mut squares, mut products) = ([Vector3::zeros(); PARTS], [Vector3::zeros(); PARTS]);
         for (k, mass) in masses.iter().enumerate() {
-            let x: Vector3<f64> = arms.at(k);
+            let x: Vector3<T> = arms.at(k);
             let weighted = x * *mass;
             squares[k % PARTS] += weighted.component_mul(&x);
             products[k % PARTS] += Vector3::new(weighted.y * x.z, weighted.z * x.x, weighted.x * x.y);
         }
-        let total = |parts: [Vector3<f64>; PARTS], i: usize| together(parts.map(|part| part[i]));
+        let total = |parts: [Vector3<T>; PARTS], i: usize| together(parts.map(|part| part[i]));
         let vector = |parts| Vector3::new(total(parts, 0), total(parts, 1), total(parts, 2));
         Sums { squares: vector(squares), products: vector(products) }
     }
 
     /// I [kg m²], world.
-    pub(super) fn inertia(&self) -> Matrix3<f64> {
+    pub(super) fn inertia(&self) -> Matrix3<T> {
         let (s, p) = (&self.squares, &self.products);
         Matrix3::new(s.y + s.z, -p.z, -p.y, -p.z, s.z + s.x, -p.x, -p.y, -p.x, s.x + s.y)
     }
@@ -101,50 +102,50 @@ impl Sums {
 
 /// Eight parts of a sum put together.
 #[inline(always)]
-fn together(p: [f64; PARTS]) -> f64 {
+fn together<T: Real>(p: [T; PARTS]) -> T {
     ((p[0] + p[4]) + (p[1] + p[5])) + ((p[2] + p[6]) + (p[3] + p[7]))
 }
 
 /// Turns all arms of `from` by (1), with `change` = R − E, and sums them by (2).
-pub(super) fn turn(
+pub(super) fn turn<T: Real>(
     registers: Registers,
-    change: &[[f64; 3]; 3],
-    from: &Columns,
-    masses: &[f64],
-    into: &mut Columns,
-) -> Sums {
-    registers.by_eight(Turn { change, from, masses, into })
+    change: &[[T; 3]; 3],
+    from: &Columns<T>,
+    masses: &[T],
+    into: &mut Columns<T>,
+) -> Sums<T> {
+    T::by_eight(registers, Turn { change, from, masses, into })
 }
 
-struct Turn<'a> {
-    change: &'a [[f64; 3]; 3],
-    from: &'a Columns,
-    masses: &'a [f64],
-    into: &'a mut Columns,
+struct Turn<'a, T: Real> {
+    change: &'a [[T; 3]; 3],
+    from: &'a Columns<T>,
+    masses: &'a [T],
+    into: &'a mut Columns<T>,
 }
 
-impl Work for Turn<'_> {
-    type Output = Sums;
+impl<T: Real> Work<T> for Turn<'_, T> {
+    type Output = Sums<T>;
 
     #[inline(always)]
-    fn with_rows<T: Row>(self, proof: T::Proof) -> Sums {
+    fn with_rows<R: Row<Scalar = T>>(self, proof: R::Proof) -> Sums<T> {
         let Turn { change, from, masses, into } = self;
         let (x, y, z, masses) =
-            (T::chunks(&from.x), T::chunks(&from.y), T::chunks(&from.z), T::chunks(masses));
+            (R::chunks(&from.x), R::chunks(&from.y), R::chunks(&from.z), R::chunks(masses));
         let (x1, y1, z1) =
-            (T::chunks_mut(&mut into.x), T::chunks_mut(&mut into.y), T::chunks_mut(&mut into.z));
+            (R::chunks_mut(&mut into.x), R::chunks_mut(&mut into.y), R::chunks_mut(&mut into.z));
         let [p, q, r] = change;
-        let change = [splat::<T>(proof, p), splat(proof, q), splat(proof, r)];
-        let zero = T::splat(proof, 0.0);
+        let change = [splat::<R>(proof, p), splat(proof, q), splat(proof, r)];
+        let zero = R::splat(proof, T::zero());
         let (mut squares, mut products) = ([zero; 3], [zero; 3]);
         for at in 0..masses.len() {
-            let before = [T::load(proof, &x[at]), T::load(proof, &y[at]), T::load(proof, &z[at])];
+            let before = [R::load(proof, &x[at]), R::load(proof, &y[at]), R::load(proof, &z[at])];
             let moved = formulas::apply(&change, before);
             let [a, b, c] = [before[0] + moved[0], before[1] + moved[1], before[2] + moved[2]];
             a.store(&mut x1[at]);
             b.store(&mut y1[at]);
             c.store(&mut z1[at]);
-            let m = T::load(proof, &masses[at]);
+            let m = R::load(proof, &masses[at]);
             let (ma, mb, mc) = (m * a, m * b, m * c);
             squares = [squares[0] + ma * a, squares[1] + mb * b, squares[2] + mc * c];
             products = [products[0] + mb * c, products[1] + mc * a, products[2] + ma * b];
@@ -158,16 +159,16 @@ impl Work for Turn<'_> {
     }
 }
 
-/// Entry by entry: a closure would not be compiled for the registers of `T`.
+/// Entry by entry: a closure would not be compiled for the registers of `R`.
 #[inline(always)]
-fn splat<T: Row>(proof: T::Proof, row: &[f64; 3]) -> [T; 3] {
-    [T::splat(proof, row[0]), T::splat(proof, row[1]), T::splat(proof, row[2])]
+fn splat<R: Row>(proof: R::Proof, row: &[R::Scalar; 3]) -> [R; 3] {
+    [R::splat(proof, row[0]), R::splat(proof, row[1]), R::splat(proof, row[2])]
 }
 
 #[inline(always)]
-fn total<T: Row>(sum: T) -> f64 {
-    let mut parts = [0.0; PARTS];
-    sum.store(&mut T::chunks_mut(&mut parts)[0]);
+fn total<R: Row>(sum: R) -> R::Scalar {
+    let mut parts = [R::Scalar::of(0.0); PARTS];
+    sum.store(&mut R::chunks_mut(&mut parts)[0]);
     together(parts)
 }
 

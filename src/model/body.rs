@@ -9,37 +9,40 @@
 mod error;
 mod fewest;
 mod moments;
+mod precise;
 
 use nalgebra::{Matrix3, Vector3};
 
+use crate::arithmetic::Real;
 use crate::rotation::{self, Rotation};
 pub use error::BodyError;
 use fewest::fewest_points;
 use moments::{
     check_moments, principal_axes, shape_of_moments, shape_of_points, symmetric, thin_axis_outside,
 };
+pub(crate) use precise::rotation_of;
 
 /// Above this ratio of moments, I Ω = L no longer determines the spin about the smallest one in f64.
 pub(crate) const LARGEST_CONDITION: f64 = 1e12;
 
 /// One mass point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MassPoint {
+pub struct MassPoint<T: Real = f64> {
     /// Mass [kg], positive.
-    pub mass: f64,
+    pub mass: T,
     /// Position [m], body axes, relative to the origin.
-    pub position: Vector3<f64>,
+    pub position: Vector3<T>,
 }
 
 /// What rotation means for a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Shape {
+pub enum Shape<T: Real = f64> {
     /// All mass in the origin: no rotation.
     Point,
     /// All mass on a line through the origin: no rotation about it.
     Rod {
         /// Unit vector along the line, body axes.
-        direction: Vector3<f64>,
+        direction: Vector3<T>,
     },
     /// Three moments above zero: plates and solids.
     Extended,
@@ -47,21 +50,21 @@ pub enum Shape {
 
 /// A rigid body about its origin.
 #[derive(Clone, Debug)]
-pub struct Body {
+pub struct Body<T: Real = f64> {
     /// Total mass [kg].
-    pub mass: f64,
+    pub mass: T,
     /// Mass points; empty where no positive masses have the inertia.
-    pub points: Vec<MassPoint>,
+    pub points: Vec<MassPoint<T>>,
     /// Centre of mass [m], body axes, relative to the origin: zero unless there is a pivot.
-    pub center: Vector3<f64>,
+    pub center: Vector3<T>,
     /// Inertia about the origin [kg m²], body axes.
-    pub inertia: Matrix3<f64>,
+    pub inertia: Matrix3<T>,
     /// Principal moments about the origin [kg m²], in the order of the principal axes.
-    pub moments: Vector3<f64>,
+    pub moments: Vector3<T>,
     /// Takes principal axes to body axes; the identity where the body axes are principal.
-    pub principal: Rotation,
+    pub principal: Rotation<T>,
     /// What rotation means for it.
-    pub shape: Shape,
+    pub shape: Shape<T>,
     /// Whether a point of it is fixed in the world.
     pub pivoted: bool,
 }
@@ -152,44 +155,46 @@ impl Body {
         let (moments, principal) = thin_axis_outside(moments, principal);
         Ok(Body { mass, points, center, inertia, moments, principal, shape, pivoted })
     }
+}
 
+impl<T: Real> Body<T> {
     /// 1/moment for each principal axis [1/(kg m²)], 0 where the body cannot spin about it.
-    pub fn inverse_moments(&self) -> Vector3<f64> {
-        self.moments.map(|moment| if moment == 0.0 { 0.0 } else { 1.0 / moment })
+    pub fn inverse_moments(&self) -> Vector3<T> {
+        self.moments.map(|moment| if moment == 0.0 { moment } else { T::one() / moment })
     }
 
     /// I⁻¹ about the origin [1/(kg m²)], body axes; its pseudo-inverse for a rod or a point.
-    pub fn inverse_inertia(&self) -> Matrix3<f64> {
+    pub fn inverse_inertia(&self) -> Matrix3<T> {
         let axes = self.principal.to_rotation_matrix().into_inner();
         axes * Matrix3::from_diagonal(&self.inverse_moments()) * axes.transpose()
     }
 
     /// Whether two principal moments are equal, to rounding.
     pub fn symmetric(&self) -> bool {
-        let rounding = 16.0 * f64::EPSILON * self.moments.amax();
+        let rounding = self.moments.amax() * (16.0 * T::UNIT);
         (0..3).any(|i| (self.moments[i] - self.moments[(i + 1) % 3]).abs() <= rounding)
     }
 
     /// Whether a second moment of the mass, ½ tr I − I, is zero to rounding: a plate.
     pub fn flat(&self) -> bool {
         let second = Vector3::repeat(self.moments.sum() / 2.0) - self.moments;
-        second.iter().any(|moment| moment.abs() <= 1e-12 * self.moments.amax())
+        second.iter().any(|moment| moment.abs() <= self.moments.amax() * 1e-12)
     }
 
     /// Length scale of the body [m]: the farthest mass point from the origin, or the largest radius of gyration.
-    pub fn extent(&self) -> f64 {
-        let farthest = self.points.iter().map(|p| rotation::length(&p.position)).fold(0.0, f64::max);
+    pub fn extent(&self) -> T {
+        let farthest = self.points.iter().map(|p| rotation::length(&p.position)).fold(T::zero(), T::max);
         if farthest > 0.0 { farthest } else { (self.moments.amax() / self.mass).sqrt() }
     }
 }
 
 /// Inertia of mass points about the origin, Σ M (|x|² E − x xᵀ) [kg m²].
-pub(crate) fn inertia_of(points: &[MassPoint]) -> Matrix3<f64> {
+pub(crate) fn inertia_of<T: Real>(points: &[MassPoint<T>]) -> Matrix3<T> {
     points.iter().map(|p| second_moment_inertia(&p.position) * p.mass).sum()
 }
 
 /// |x|² E − x xᵀ [m²].
-pub(crate) fn second_moment_inertia(x: &Vector3<f64>) -> Matrix3<f64> {
+pub(crate) fn second_moment_inertia<T: Real>(x: &Vector3<T>) -> Matrix3<T> {
     Matrix3::from_diagonal_element(x.norm_squared()) - x * x.transpose()
 }
 

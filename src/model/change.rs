@@ -14,40 +14,41 @@ use nalgebra::Vector3;
 
 use super::forces::{Attachment, Forces, Law, TorqueAxes};
 use super::{Snapshot, System};
+use crate::arithmetic::Real;
 use crate::rotation::Rotation;
 
 /// A change of world and units.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Change {
+pub struct Change<T: Real = f64> {
     /// Q.
-    pub turn: Rotation,
+    pub turn: Rotation<T>,
     /// a, in the new unit of length.
-    pub shift: Vector3<f64>,
+    pub shift: Vector3<T>,
     /// b, in the new unit of velocity.
-    pub boost: Vector3<f64>,
+    pub boost: Vector3<T>,
     /// m: how many new units of mass the old one is.
-    pub mass: f64,
+    pub mass: T,
     /// l, the same for length; negative mirrors.
-    pub length: f64,
+    pub length: T,
     /// s, the same for time.
-    pub time: f64,
+    pub time: T,
 }
 
-impl Change {
+impl<T: Real> Change<T> {
     /// No change.
-    pub fn none() -> Change {
+    pub fn none() -> Change<T> {
         Change {
             turn: Rotation::identity(),
             shift: Vector3::zeros(),
             boost: Vector3::zeros(),
-            mass: 1.0,
-            length: 1.0,
-            time: 1.0,
+            mass: T::one(),
+            length: T::one(),
+            time: T::one(),
         }
     }
 
     /// The scene in the new world.
-    pub fn apply(&self, system: &System) -> System {
+    pub fn apply(&self, system: &System<T>) -> System<T> {
         let mut new = system.clone();
         let inertia = self.mass * self.length * self.length;
         new.body.mass *= self.mass;
@@ -69,7 +70,7 @@ impl Change {
     }
 
     /// A moment of a motion in the new world, told in the old one.
-    pub fn undo(&self, new: &Snapshot) -> Snapshot {
+    pub fn undo(&self, new: &Snapshot<T>) -> Snapshot<T> {
         let back = self.turn.inverse();
         let time = new.time / self.time;
         let velocity = back * (new.velocity - self.boost) / (self.length / self.time);
@@ -86,8 +87,8 @@ impl Change {
     }
 
     /// Whether a boosted world has the same laws: nothing in it stands still by itself.
-    pub fn may_boost(system: &System) -> bool {
-        let moves = |law: &Law| match law {
+    pub fn may_boost(system: &System<T>) -> bool {
+        let moves = |law: &Law<T>| match law {
             Law::Gravity(_) | Law::Torque(_) | Law::Dipole(_) | Law::GravityGradient(_) => true,
             Law::Lorentz(lorentz) => lorentz.magnetic.amax() == 0.0,
             Law::Spring(_) | Law::Drag(_) | Law::CentralGravity(_) | Law::Ground(_) => false,
@@ -96,13 +97,13 @@ impl Change {
     }
 
     /// A law in the new world.
-    fn law(&self, law: &Law) -> Law {
+    fn law(&self, law: &Law<T>) -> Law<T> {
         let acceleration = self.length / (self.time * self.time);
         let force = self.mass * acceleration;
         let torque = force * self.length;
         let stiffness = self.mass / (self.time * self.time);
         let damping = self.mass / self.time;
-        let turned = |vector: &Vector3<f64>, unit: f64| self.turn * vector * unit;
+        let turned = |vector: &Vector3<T>, unit: T| self.turn * vector * unit;
         let mut law = law.clone();
         match &mut law {
             Law::Gravity(law) => law.acceleration = turned(&law.acceleration, acceleration),
@@ -139,8 +140,8 @@ impl Change {
             Law::Dipole(law) => law.field = turned(&law.field, torque),
             Law::GravityGradient(law) => {
                 law.mu_over_r3 /= self.time * self.time;
-                law.direction = turned(&law.direction, 1.0);
-                law.normal = turned(&law.normal, 1.0);
+                law.direction = turned(&law.direction, T::one());
+                law.normal = turned(&law.normal, T::one());
                 law.rate /= self.time;
             }
             Law::Ground(law) => {

@@ -1,99 +1,60 @@
 //! A body under forces on its points: translation and rotation depend on each other, so everything is kept.
 
-use std::ops::{Add, Mul};
-
 use nalgebra::{Matrix3, Vector3};
 
 use super::forces::{Forces, Pose};
 use super::system::{Rotational, Start};
-use super::{Broken, Model, Rates, Snapshot, finite};
+use super::{Broken, Model, Snapshot, finite, rates};
+use crate::arithmetic::Real;
 use crate::rotation::{self, Rotation};
 
 /// Orientation, translation and angular momentum.
 #[derive(Clone, Debug)]
-pub struct Forced {
-    pub(super) rotational: Rotational,
-    pub(super) start: Start,
-    pub(super) forces: Forces,
+pub struct Forced<T: Real = f64> {
+    pub(super) rotational: Rotational<T>,
+    pub(super) start: Start<T>,
+    pub(super) forces: Forces<T>,
     /// 1/M [1/kg].
-    pub(super) inverse_mass: f64,
+    pub(super) inverse_mass: T,
 }
 
 /// State of a forced body.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ForcedState {
-    pub(super) attitude: Rotation,
-    pub(super) position: Vector3<f64>,
-    pub(super) velocity: Vector3<f64>,
-    pub(super) momentum: Vector3<f64>,
+pub struct ForcedState<T: Real = f64> {
+    pub(super) attitude: Rotation<T>,
+    pub(super) position: Vector3<T>,
+    pub(super) velocity: Vector3<T>,
+    pub(super) momentum: Vector3<T>,
 }
 
-/// Ω, U_cm, F/M and τ, world.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Motion {
-    /// Ω [rad/s].
-    pub spin: Vector3<f64>,
-    /// U_cm [m/s].
-    pub velocity: Vector3<f64>,
-    /// F/M [m/s²].
-    pub acceleration: Vector3<f64>,
-    /// τ [N m].
-    pub torque: Vector3<f64>,
-}
-
-impl Add for Motion {
-    type Output = Motion;
-
-    #[inline]
-    fn add(self, other: Motion) -> Motion {
-        Motion {
-            spin: self.spin + other.spin,
-            velocity: self.velocity + other.velocity,
-            acceleration: self.acceleration + other.acceleration,
-            torque: self.torque + other.torque,
-        }
+rates! {
+    /// Ω, U_cm, F/M and τ, world.
+    Motion {
+        /// Ω [rad/s].
+        spin,
+        /// U_cm [m/s].
+        velocity,
+        /// F/M [m/s²].
+        acceleration,
+        /// τ [N m].
+        torque
     }
 }
 
-impl Mul<f64> for Motion {
-    type Output = Motion;
-
-    #[inline]
-    fn mul(self, factor: f64) -> Motion {
-        Motion {
-            spin: self.spin * factor,
-            velocity: self.velocity * factor,
-            acceleration: self.acceleration * factor,
-            torque: self.torque * factor,
-        }
-    }
-}
-
-impl Rates for Motion {
-    #[inline]
-    fn motion(self) -> Motion {
-        self
-    }
-
-    #[inline]
-    fn of(motion: Motion) -> Motion {
-        motion
-    }
-}
-
-impl Forced {
+impl<T: Real> Forced<T> {
     /// Ω and the matrix that takes principal axes to world axes.
     #[inline(always)]
-    fn spin(&self, state: &ForcedState) -> (Vector3<f64>, Matrix3<f64>) {
+    fn spin(&self, state: &ForcedState<T>) -> (Vector3<T>, Matrix3<T>) {
         (self.rotational.spin(&state.attitude, &state.momentum), rotation::axes(&state.attitude))
     }
 }
 
-impl Model for Forced {
-    type State = ForcedState;
-    type Rates = Motion;
+impl<T: Real> Model for Forced<T> {
+    type Real = T;
+    type State = ForcedState<T>;
+    type Rates = Motion<T>;
 
-    fn start(&self) -> ForcedState {
+    fn start(&self) -> ForcedState<T> {
         ForcedState {
             attitude: self.rotational.attitude,
             position: self.start.position,
@@ -103,7 +64,7 @@ impl Model for Forced {
     }
 
     #[inline(always)]
-    fn rates(&self, t: f64, state: &ForcedState) -> Result<Motion, Broken> {
+    fn rates(&self, t: T, state: &ForcedState<T>) -> Result<Motion<T>, Broken> {
         let (spin, axes) = self.spin(state);
         let pose = Pose { axes, origin: state.position, velocity: state.velocity, spin };
         let load = self.forces.load(t, &pose);
@@ -116,19 +77,19 @@ impl Model for Forced {
     }
 
     #[inline(always)]
-    fn advance(&self, from: &ForcedState, s: f64, rates: &Motion, into: &mut ForcedState) {
+    fn advance(&self, from: &ForcedState<T>, s: T, rates: &Motion<T>, into: &mut ForcedState<T>) {
         into.attitude = rotation::turned(&from.attitude, &rates.spin, s);
         into.position = from.position + rates.velocity * s;
         into.velocity = from.velocity + rates.acceleration * s;
         into.momentum = from.momentum + rates.torque * s;
     }
 
-    fn is_finite(&self, state: &ForcedState) -> bool {
+    fn is_finite(&self, state: &ForcedState<T>) -> bool {
         state.attitude.coords.iter().all(|x| x.is_finite())
             && finite(&[&state.position, &state.velocity, &state.momentum])
     }
 
-    fn observe(&self, t: f64, state: &ForcedState) -> Result<Snapshot, Broken> {
+    fn observe(&self, t: T, state: &ForcedState<T>) -> Result<Snapshot<T>, Broken> {
         let (spin, _) = self.spin(state);
         Ok(Snapshot {
             time: t,

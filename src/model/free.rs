@@ -6,19 +6,20 @@ use nalgebra::Vector3;
 use super::forces::Forces;
 use super::rotor::Rotor;
 use super::system::{Rotational, Start};
-use super::{Broken, Model, Motion, Rates, Snapshot};
+use super::{Broken, Model, Snapshot, rates};
+use crate::arithmetic::Real;
 use crate::rotation::{self, Rotation};
 
 /// Orientation alone.
 #[derive(Clone, Debug)]
-pub struct Free {
-    pub(super) rotational: Rotational,
-    pub(super) start: Start,
+pub struct Free<T: Real = f64> {
+    pub(super) rotational: Rotational<T>,
+    pub(super) start: Start<T>,
 }
 
-impl Free {
+impl<T: Real> Free<T> {
     /// The same body with an L of its own in the state, for schemes that do not keep L by themselves.
-    pub fn with_momentum(&self) -> Rotor {
+    pub fn with_momentum(&self) -> Rotor<T> {
         Rotor {
             rotational: self.rotational.clone(),
             start: self.start,
@@ -29,43 +30,39 @@ impl Free {
     }
 }
 
-impl Rates for Vector3<f64> {
-    #[inline]
-    fn motion(self) -> Motion {
-        Motion { spin: self, ..Motion::default() }
-    }
-
-    #[inline]
-    fn of(motion: Motion) -> Vector3<f64> {
-        motion.spin
+rates! {
+    /// Rates of a free body.
+    FreeRates {
+        /// Ω [rad/s], world.
+        spin
     }
 }
 
-impl Model for Free {
+impl<T: Real> Model for Free<T> {
+    type Real = T;
     /// Takes principal axes to world axes.
-    type State = Rotation;
-    /// Ω [rad/s], world.
-    type Rates = Vector3<f64>;
+    type State = Rotation<T>;
+    type Rates = FreeRates<T>;
 
-    fn start(&self) -> Rotation {
+    fn start(&self) -> Rotation<T> {
         self.rotational.attitude
     }
 
     #[inline(always)]
-    fn rates(&self, _t: f64, attitude: &Rotation) -> Result<Vector3<f64>, Broken> {
-        Ok(self.rotational.spin(attitude, &self.start.angular_momentum))
+    fn rates(&self, _t: T, attitude: &Rotation<T>) -> Result<FreeRates<T>, Broken> {
+        Ok(FreeRates { spin: self.rotational.spin(attitude, &self.start.angular_momentum) })
     }
 
     #[inline(always)]
-    fn advance(&self, from: &Rotation, s: f64, spin: &Vector3<f64>, into: &mut Rotation) {
-        *into = rotation::turned(from, spin, s);
+    fn advance(&self, from: &Rotation<T>, s: T, rates: &FreeRates<T>, into: &mut Rotation<T>) {
+        *into = rotation::turned(from, &rates.spin, s);
     }
 
-    fn is_finite(&self, attitude: &Rotation) -> bool {
+    fn is_finite(&self, attitude: &Rotation<T>) -> bool {
         attitude.coords.iter().all(|x| x.is_finite())
     }
 
-    fn observe(&self, t: f64, attitude: &Rotation) -> Result<Snapshot, Broken> {
+    fn observe(&self, t: T, attitude: &Rotation<T>) -> Result<Snapshot<T>, Broken> {
         Ok(Snapshot {
             time: t,
             position: self.start.position + self.start.velocity * t,

@@ -19,6 +19,7 @@ mod falling;
 mod forced;
 pub mod forces;
 pub(crate) mod free;
+mod least;
 mod placed;
 mod point_cloud;
 pub(crate) mod retold;
@@ -27,10 +28,11 @@ mod snapshot;
 pub(crate) mod system;
 mod turning;
 
-use std::ops::{Add, Mul};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use nalgebra::{Quaternion, Vector3};
 
+use crate::arithmetic::Real;
 use crate::rotation::{self, Rotation};
 
 pub(crate) use crate::quantity::larger;
@@ -41,6 +43,7 @@ pub(crate) use falling::Falling;
 pub(crate) use forced::Forced;
 pub use forced::Motion;
 pub(crate) use free::Free;
+pub(crate) use least::Least;
 pub(crate) use placed::Placed;
 pub(crate) use point_cloud::PointCloud;
 pub(crate) use rotor::Rotor;
@@ -88,20 +91,108 @@ pub enum Broken {
 }
 
 /// How the parts of a state change: a vector space, so that stages combine.
-pub trait Rates: Copy + Add<Output = Self> + Mul<f64, Output = Self> {
+pub trait Rates<T: Real>:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Neg<Output = Self>
+    + Mul<f64, Output = Self>
+    + Div<f64, Output = Self>
+{
+    /// The rates times a number of the arithmetic, which a factor in f64 would round.
+    fn scaled(self, factor: T) -> Self;
+
     /// The parts one by one, for schemes that combine them in ways of their own; zero where the model keeps none.
-    fn motion(self) -> Motion;
+    fn motion(self) -> Motion<T>;
 
     /// Rates of these parts, as far as the model keeps them.
-    fn of(motion: Motion) -> Self;
+    fn of(motion: Motion<T>) -> Self;
 }
+
+/// Declares rates: vectors that are added and scaled part by part.
+macro_rules! rates {
+    ($(#[$doc:meta])* $rates:ident { $($(#[$part_doc:meta])* $part:ident),* }) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        pub struct $rates<T: Real = f64> {
+            $($(#[$part_doc])* pub $part: Vector3<T>,)*
+        }
+
+        impl<T: Real> std::ops::Add for $rates<T> {
+            type Output = $rates<T>;
+
+            #[inline]
+            fn add(self, other: $rates<T>) -> $rates<T> {
+                $rates { $($part: self.$part + other.$part,)* }
+            }
+        }
+
+        impl<T: Real> std::ops::Sub for $rates<T> {
+            type Output = $rates<T>;
+
+            #[inline]
+            fn sub(self, other: $rates<T>) -> $rates<T> {
+                $rates { $($part: self.$part - other.$part,)* }
+            }
+        }
+
+        impl<T: Real> std::ops::Neg for $rates<T> {
+            type Output = $rates<T>;
+
+            #[inline]
+            fn neg(self) -> $rates<T> {
+                $rates { $($part: -self.$part,)* }
+            }
+        }
+
+        impl<T: Real> std::ops::Mul<f64> for $rates<T> {
+            type Output = $rates<T>;
+
+            #[inline]
+            fn mul(self, factor: f64) -> $rates<T> {
+                $rates { $($part: self.$part.map(|x| x * factor),)* }
+            }
+        }
+
+        impl<T: Real> std::ops::Div<f64> for $rates<T> {
+            type Output = $rates<T>;
+
+            #[inline]
+            fn div(self, divisor: f64) -> $rates<T> {
+                $rates { $($part: self.$part.map(|x| x / divisor),)* }
+            }
+        }
+
+        impl<T: Real> $crate::model::Rates<T> for $rates<T> {
+            #[inline]
+            fn scaled(self, factor: T) -> $rates<T> {
+                $rates { $($part: self.$part * factor,)* }
+            }
+
+            #[inline]
+            fn motion(self) -> $crate::model::Motion<T> {
+                #[allow(clippy::needless_update, reason = "a model may keep every part")]
+                let motion = $crate::model::Motion { $($part: self.$part,)* ..Default::default() };
+                motion
+            }
+
+            #[inline]
+            fn of(motion: $crate::model::Motion<T>) -> $rates<T> {
+                $rates { $($part: motion.$part,)* }
+            }
+        }
+    };
+}
+use rates;
 
 /// A body under forces, as a scheme sees it.
 pub trait Model {
+    /// The arithmetic.
+    type Real: Real;
     /// What the model keeps of the motion.
     type State: Clone;
     /// Ω, and as far as the model keeps them U_cm, F/M and τ.
-    type Rates: Rates;
+    type Rates: Rates<Self::Real>;
 
     /// The state at t = 0.
     fn start(&self) -> Self::State;
@@ -110,11 +201,11 @@ pub trait Model {
     ///
     /// # Errors
     /// Ω does not exist.
-    fn rates(&self, t: f64, state: &Self::State) -> Result<Self::Rates, Broken>;
+    fn rates(&self, t: Self::Real, state: &Self::State) -> Result<Self::Rates, Broken>;
 
     /// Holds `rates` for a time `s` [s] from `from`: X̃ turned by the exact R(Ω, s), X_cm + s U, U_cm + s F/M,
     /// L + s τ. Writes into `into`, a buffer made once a run.
-    fn advance(&self, from: &Self::State, s: f64, rates: &Self::Rates, into: &mut Self::State);
+    fn advance(&self, from: &Self::State, s: Self::Real, rates: &Self::Rates, into: &mut Self::State);
 
     /// Whether every number of a state is finite.
     fn is_finite(&self, state: &Self::State) -> bool;
@@ -123,7 +214,7 @@ pub trait Model {
     ///
     /// # Errors
     /// Ω does not exist.
-    fn observe(&self, t: f64, state: &Self::State) -> Result<Snapshot, Broken>;
+    fn observe(&self, t: Self::Real, state: &Self::State) -> Result<Snapshot<Self::Real>, Broken>;
 
     /// Told by a scheme that it has solved an implicit equation, in so many iterations: work that a harness counts.
     fn solved(&self, _iterations: u32) {}
@@ -135,16 +226,16 @@ pub trait Model {
 /// its two halves without the rotation, for splittings and for schemes that turn the body by a rule of their own.
 pub trait Turning: Model {
     /// Principal moments and their inverses.
-    fn rotational(&self) -> &Rotational;
+    fn rotational(&self) -> &Rotational<Self::Real>;
 
     /// The attitude of a state.
-    fn attitude(&self, state: &Self::State) -> Rotation;
+    fn attitude(&self, state: &Self::State) -> Rotation<Self::Real>;
 
     /// L of a state [kg m²/s], world.
-    fn momentum(&self, state: &Self::State) -> Vector3<f64>;
+    fn momentum(&self, state: &Self::State) -> Vector3<Self::Real>;
 
     /// Puts attitude and L into a state; a model whose L is constant keeps its own.
-    fn place(&self, state: &mut Self::State, attitude: Rotation, momentum: Vector3<f64>);
+    fn place(&self, state: &mut Self::State, attitude: Rotation<Self::Real>, momentum: Vector3<Self::Real>);
 
     /// Rates at a stage of a scheme that keeps the attitude as plain numbers, and how far they take these in a time: `rates`
     /// held for a time `s` [s] from `from`, but for the attitude, which is q/|q|; `(q, time)` gives time · q̇ = time/2 Ω q.
@@ -155,11 +246,11 @@ pub trait Turning: Model {
     #[inline(always)]
     fn rates_at_stage(
         &self,
-        t: f64,
-        (from, s, rates): (&Self::State, f64, &Self::Rates),
-        (q, time): (&Quaternion<f64>, f64),
+        t: Self::Real,
+        (from, s, rates): (&Self::State, Self::Real, &Self::Rates),
+        (q, time): (&Quaternion<Self::Real>, Self::Real),
         stage: &mut Self::State,
-    ) -> Result<(Self::Rates, Quaternion<f64>), Broken> {
+    ) -> Result<(Self::Rates, Quaternion<Self::Real>), Broken> {
         self.advance(from, s, rates, stage);
         let momentum = self.momentum(stage);
         self.place(stage, rotation::unit(q), momentum);
@@ -168,19 +259,19 @@ pub trait Turning: Model {
     }
 
     /// Ω of rates [rad/s], world.
-    fn spin_of(&self, rates: &Self::Rates) -> Vector3<f64>;
+    fn spin_of(&self, rates: &Self::Rates) -> Vector3<Self::Real>;
 
     /// τ of rates [N m], world.
-    fn torque_of(&self, rates: &Self::Rates) -> Vector3<f64>;
+    fn torque_of(&self, rates: &Self::Rates) -> Vector3<Self::Real>;
 
     /// U_cm + s F/M and L + s τ, where the model keeps them; positions and attitude stay.
-    fn kick(&self, state: &mut Self::State, s: f64, rates: &Self::Rates);
+    fn kick(&self, state: &mut Self::State, s: Self::Real, rates: &Self::Rates);
 
     /// X_cm + s U_cm with the state's own U_cm, where the model keeps it; all else stays.
-    fn drift(&self, state: &mut Self::State, s: f64);
+    fn drift(&self, state: &mut Self::State, s: Self::Real);
 
     /// How far two states are apart, each part over its own size: the largest of the parts. Ends an iteration.
-    fn apart(&self, a: &Self::State, b: &Self::State) -> f64;
+    fn apart(&self, a: &Self::State, b: &Self::State) -> Self::Real;
 
     /// Whether a force depends on a velocity, which a splitting into kicks and drifts cannot take.
     fn reads_velocity(&self) -> bool;
@@ -192,7 +283,7 @@ pub trait Pointwise: Model {
     fn advance_straight(
         &self,
         from: &Self::State,
-        s: f64,
+        s: Self::Real,
         rates: &Self::Rates,
         at: &Self::State,
         into: &mut Self::State,
@@ -204,12 +295,12 @@ pub trait Pointwise: Model {
     /// Ω does not exist.
     fn rates_on_levers(
         &self,
-        t: f64,
+        t: Self::Real,
         state: &Self::State,
         levers: &Self::State,
     ) -> Result<Self::Rates, Broken>;
 }
 
-fn finite(vectors: &[&Vector3<f64>]) -> bool {
+fn finite<T: Real>(vectors: &[&Vector3<T>]) -> bool {
     vectors.iter().all(|v| v.iter().all(|x| x.is_finite()))
 }

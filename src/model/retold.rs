@@ -48,7 +48,7 @@ pub fn split(system: &System) -> Option<System> {
     points[heaviest].mass *= 0.5;
     points.push(points[heaviest]);
     let halved = |values: &PerPoint| {
-        let mut values: Vec<f64> = (0..count).map(|index| values.of(index)).collect();
+        let mut values: Vec<f64> = (0..count).map(|index| values.at(index)).collect();
         values[heaviest] *= 0.5;
         values.push(values[heaviest]);
         PerPoint::Each(values)

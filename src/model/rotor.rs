@@ -1,89 +1,60 @@
 //! A body that turns under torques about a point whose motion is known: a pivot fixed in the world, or the
 //! centre of mass of a body that no force pushes. It keeps orientation and L about that point.
 
-use std::ops::{Add, Mul};
-
 use nalgebra::{Matrix3, Vector3};
 
 use super::forces::{Forces, Pose};
 use super::system::{Rotational, Start};
-use super::{Broken, Model, Motion, Rates, Snapshot, finite};
+use super::{Broken, Model, Snapshot, finite, rates};
+use crate::arithmetic::Real;
 use crate::rotation::{self, Rotation};
 
 /// Orientation and angular momentum.
 #[derive(Clone, Debug)]
-pub struct Rotor {
-    pub(super) rotational: Rotational,
-    pub(super) start: Start,
-    pub(super) forces: Forces,
+pub struct Rotor<T: Real = f64> {
+    pub(super) rotational: Rotational<T>,
+    pub(super) start: Start<T>,
+    pub(super) forces: Forces<T>,
     /// Position of the pivot [m], world; `None` where the centre of mass moves straight.
-    pub(super) pivot: Option<Vector3<f64>>,
+    pub(super) pivot: Option<Vector3<T>>,
     /// Centre of mass from the pivot [m], principal axes.
-    pub(super) center: Vector3<f64>,
+    pub(super) center: Vector3<T>,
 }
 
 /// State of a rotor.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RotorState {
-    pub(super) attitude: Rotation,
-    pub(super) momentum: Vector3<f64>,
+pub struct RotorState<T: Real = f64> {
+    pub(super) attitude: Rotation<T>,
+    pub(super) momentum: Vector3<T>,
 }
 
-/// Rates of a rotor.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RotorRates {
-    pub(super) spin: Vector3<f64>,
-    pub(super) torque: Vector3<f64>,
-}
-
-impl Add for RotorRates {
-    type Output = RotorRates;
-
-    #[inline]
-    fn add(self, other: RotorRates) -> RotorRates {
-        RotorRates { spin: self.spin + other.spin, torque: self.torque + other.torque }
+rates! {
+    /// Rates of a rotor.
+    RotorRates {
+        spin,
+        torque
     }
 }
 
-impl Mul<f64> for RotorRates {
-    type Output = RotorRates;
-
-    #[inline]
-    fn mul(self, factor: f64) -> RotorRates {
-        RotorRates { spin: self.spin * factor, torque: self.torque * factor }
-    }
-}
-
-impl Rates for RotorRates {
-    #[inline]
-    fn motion(self) -> Motion {
-        Motion { spin: self.spin, torque: self.torque, ..Motion::default() }
-    }
-
-    #[inline]
-    fn of(motion: Motion) -> RotorRates {
-        RotorRates { spin: motion.spin, torque: motion.torque }
-    }
-}
-
-impl Rotor {
+impl<T: Real> Rotor<T> {
     /// Ω and the matrix that takes principal axes to world axes.
     #[inline(always)]
-    fn spin(&self, state: &RotorState) -> (Vector3<f64>, Matrix3<f64>) {
+    fn spin(&self, state: &RotorState<T>) -> (Vector3<T>, Matrix3<T>) {
         (self.rotational.spin(&state.attitude, &state.momentum), rotation::axes(&state.attitude))
     }
 }
 
-impl Model for Rotor {
-    type State = RotorState;
-    type Rates = RotorRates;
+impl<T: Real> Model for Rotor<T> {
+    type Real = T;
+    type State = RotorState<T>;
+    type Rates = RotorRates<T>;
 
-    fn start(&self) -> RotorState {
+    fn start(&self) -> RotorState<T> {
         RotorState { attitude: self.rotational.attitude, momentum: self.start.angular_momentum }
     }
 
     #[inline(always)]
-    fn rates(&self, t: f64, state: &RotorState) -> Result<RotorRates, Broken> {
+    fn rates(&self, t: T, state: &RotorState<T>) -> Result<RotorRates<T>, Broken> {
         let (spin, axes) = self.spin(state);
         let (origin, velocity) = match self.pivot {
             Some(pivot) => (pivot, Vector3::zeros()),
@@ -94,16 +65,16 @@ impl Model for Rotor {
     }
 
     #[inline(always)]
-    fn advance(&self, from: &RotorState, s: f64, rates: &RotorRates, into: &mut RotorState) {
+    fn advance(&self, from: &RotorState<T>, s: T, rates: &RotorRates<T>, into: &mut RotorState<T>) {
         into.attitude = rotation::turned(&from.attitude, &rates.spin, s);
         into.momentum = from.momentum + rates.torque * s;
     }
 
-    fn is_finite(&self, state: &RotorState) -> bool {
+    fn is_finite(&self, state: &RotorState<T>) -> bool {
         state.attitude.coords.iter().all(|x| x.is_finite()) && finite(&[&state.momentum])
     }
 
-    fn observe(&self, t: f64, state: &RotorState) -> Result<Snapshot, Broken> {
+    fn observe(&self, t: T, state: &RotorState<T>) -> Result<Snapshot<T>, Broken> {
         let (spin, axes) = self.spin(state);
         let (position, velocity) = match self.pivot {
             Some(pivot) => {

@@ -3,26 +3,27 @@
 use nalgebra::Vector3;
 
 use super::body::{Body, Shape};
+use crate::arithmetic::Real;
 use crate::quantity::{PerQuantity, Quantity};
 use crate::rotation::{self, Rotation};
 
 /// A moment of a motion, the same for every model. World axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Snapshot {
+pub struct Snapshot<T: Real = f64> {
     /// t [s].
-    pub time: f64,
+    pub time: T,
     /// X_cm [m].
-    pub position: Vector3<f64>,
+    pub position: Vector3<T>,
     /// U_cm [m/s].
-    pub velocity: Vector3<f64>,
+    pub velocity: Vector3<T>,
     /// Takes body axes to world axes.
-    pub orientation: Rotation,
+    pub orientation: Rotation<T>,
     /// Ω [rad/s].
-    pub angular_velocity: Vector3<f64>,
+    pub angular_velocity: Vector3<T>,
     /// L [kg m²/s], about the centre of mass, or about the pivot where there is one.
-    pub angular_momentum: Vector3<f64>,
+    pub angular_momentum: Vector3<T>,
     /// Largest change of a distance between points of the body, over its extent.
-    pub stretch: f64,
+    pub stretch: T,
 }
 
 /// How far two moments of one body are apart, each quantity in its unit.
@@ -30,9 +31,9 @@ pub struct Snapshot {
 /// Lengths are Euclidean. For a rod the orientation is the angle between its directions, for a single point it
 /// is 0. The body-point difference is the largest over the mass points, or over the ends of the principal
 /// radii of gyration where the body has none.
-pub fn difference(body: &Body, a: &Snapshot, b: &Snapshot) -> PerQuantity<f64> {
+pub fn difference<T: Real>(body: &Body<T>, a: &Snapshot<T>, b: &Snapshot<T>) -> PerQuantity<T> {
     let orientation = match body.shape {
-        Shape::Point => 0.0,
+        Shape::Point => T::zero(),
         Shape::Rod { direction } => {
             rotation::angle_between_directions(&(a.orientation * direction), &(b.orientation * direction))
         }
@@ -52,16 +53,16 @@ pub fn difference(body: &Body, a: &Snapshot, b: &Snapshot) -> PerQuantity<f64> {
 ///
 /// X_k = X_cm + R (x_k − c). The difference of the rotations is applied as one small matrix, so that equal
 /// orientations give exactly the difference of the positions.
-fn body_point_difference(body: &Body, a: &Snapshot, b: &Snapshot) -> f64 {
+fn body_point_difference<T: Real>(body: &Body<T>, a: &Snapshot<T>, b: &Snapshot<T>) -> T {
     let shift = a.position - b.position;
     let turn =
         a.orientation.to_rotation_matrix().into_inner() - b.orientation.to_rotation_matrix().into_inner();
-    let apart = |x: Vector3<f64>| rotation::length(&(shift + turn * (x - body.center)));
+    let apart = |x: Vector3<T>| rotation::length(&(shift + turn * (x - body.center)));
     if body.points.is_empty() {
         let radii = body.moments.map(|moment| (moment / body.mass).sqrt());
         return (0..3)
             .map(|i| apart(body.center + body.principal * Vector3::ith(i, radii[i])))
-            .fold(0.0, f64::max);
+            .fold(T::zero(), T::max);
     }
-    body.points.iter().map(|p| apart(p.position)).fold(0.0, f64::max)
+    body.points.iter().map(|p| apart(p.position)).fold(T::zero(), T::max)
 }

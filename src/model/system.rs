@@ -6,10 +6,11 @@ mod reduced;
 
 use nalgebra::Vector3;
 
-use super::body::{Body, Shape};
+use super::body::{Body, Shape, rotation_of};
 use super::forces::{Forces, Law};
 use super::placed::Placed;
 use super::{Falling, Forced, Free, PointCloud, Rotor, Snapshot};
+use crate::arithmetic::Real;
 use crate::rotation::{self, Rotation};
 use check::{check_law, check_momentum};
 pub use error::SystemError;
@@ -26,26 +27,26 @@ pub enum Spin {
 
 /// The state of the body at t = 0, world axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Start {
+pub struct Start<T: Real = f64> {
     /// X_cm [m].
-    pub position: Vector3<f64>,
+    pub position: Vector3<T>,
     /// Takes body axes to world axes.
-    pub orientation: Rotation,
+    pub orientation: Rotation<T>,
     /// U_cm [m/s]; ignored where there is a pivot.
-    pub velocity: Vector3<f64>,
+    pub velocity: Vector3<T>,
     /// L about the origin [kg m²/s].
-    pub angular_momentum: Vector3<f64>,
+    pub angular_momentum: Vector3<T>,
 }
 
 /// A body under forces, with its start.
 #[derive(Clone, Debug)]
-pub struct System {
+pub struct System<T: Real = f64> {
     /// The body, about its origin.
-    pub body: Body,
+    pub body: Body<T>,
     /// The laws, bound to the body.
-    pub forces: Forces,
+    pub forces: Forces<T>,
     /// State at t = 0.
-    pub start: Start,
+    pub start: Start<T>,
 }
 
 /// Relative difference from which on two moments are two.
@@ -84,11 +85,6 @@ impl System {
         Ok(System { body, forces, start })
     }
 
-    /// Position of the origin at t = 0 [m], world: the pivot, or the centre of mass.
-    pub fn origin(&self) -> Vector3<f64> {
-        self.start.position - self.start.orientation * self.body.center
-    }
-
     /// The same system started a little off: turned by `turn` [rad], with changes of L [kg m²/s], position [m]
     /// and velocity [m/s]. A pivot stays where it is, and a rod gets no L along it.
     pub fn displaced(&self, turn: &Vector3<f64>, change: &Start) -> System {
@@ -111,32 +107,6 @@ impl System {
             start.velocity += change.velocity;
         }
         system
-    }
-
-    /// The same system started at a moment of a motion.
-    pub fn started_at(&self, snapshot: &Snapshot) -> System {
-        let mut system = self.clone();
-        system.start = Start {
-            position: snapshot.position,
-            orientation: snapshot.orientation,
-            velocity: snapshot.velocity,
-            angular_momentum: snapshot.angular_momentum,
-        };
-        system
-    }
-
-    /// Whether the force on the centre of mass is constant, and whether it is zero.
-    pub fn constant_force(&self) -> (bool, bool) {
-        let laws = self.forces.laws();
-        let free_of_force = !self.body.pivoted && laws.iter().all(Law::is_torque);
-        let constant =
-            !self.body.pivoted && laws.iter().all(|law| law.is_torque() || matches!(law, Law::Gravity(_)));
-        (constant, free_of_force)
-    }
-
-    /// Whether no torque acts about the centre of mass and nothing holds the body.
-    pub fn torque_free(&self) -> bool {
-        !self.body.pivoted && self.forces.laws().iter().all(|law| matches!(law, Law::Gravity(_)))
     }
 
     /// Whether Ω is constant to rounding: no torque, and Ω along L about an axis where it stays.
@@ -163,9 +133,72 @@ impl System {
             && moment > moments.min() * (1.0 + TWO_MOMENTS)
             && moment < moments.max() * (1.0 - TWO_MOMENTS)
     }
+}
+
+impl<T: Real> System<T> {
+    /// The same system in this arithmetic. Its f64 numbers are taken as exact, and what follows from them is computed anew.
+    pub fn of(system: &System) -> System<T> {
+        let body = Body::<T>::of(&system.body);
+        let origin = system.origin().map(T::of);
+        let Start { position, orientation, velocity, angular_momentum } = &system.start;
+        let mut start = Start {
+            position: position.map(T::of),
+            orientation: rotation_of(orientation),
+            velocity: velocity.map(T::of),
+            angular_momentum: angular_momentum.map(T::of),
+        };
+        if let Shape::Rod { direction } = body.shape {
+            // The part along the rod that f64 leaves is no spin.
+            let direction = start.orientation * direction;
+            let momentum = start.angular_momentum;
+            start.angular_momentum = momentum - direction * direction.dot(&momentum);
+        }
+        let laws = system.forces.laws().iter().map(Law::of).collect();
+        let forces = Forces::new(laws, &body);
+        let mut system = System { body, forces, start };
+        if system.body.pivoted {
+            let start = &mut system.start;
+            let arm = start.orientation * system.body.center;
+            let momentum = start.orientation.inverse_transform_vector(&start.angular_momentum);
+            start.position = origin + arm;
+            start.velocity = (start.orientation * (system.body.inverse_inertia() * momentum)).cross(&arm);
+        }
+        system
+    }
+
+    /// Position of the origin at t = 0 [m], world: the pivot, or the centre of mass.
+    pub fn origin(&self) -> Vector3<T> {
+        self.start.position - self.start.orientation * self.body.center
+    }
+
+    /// The same system started at a moment of a motion.
+    pub fn started_at(&self, snapshot: &Snapshot<T>) -> System<T> {
+        let mut system = self.clone();
+        system.start = Start {
+            position: snapshot.position,
+            orientation: snapshot.orientation,
+            velocity: snapshot.velocity,
+            angular_momentum: snapshot.angular_momentum,
+        };
+        system
+    }
+
+    /// Whether the force on the centre of mass is constant, and whether it is zero.
+    pub fn constant_force(&self) -> (bool, bool) {
+        let laws = self.forces.laws();
+        let free_of_force = !self.body.pivoted && laws.iter().all(Law::is_torque);
+        let constant =
+            !self.body.pivoted && laws.iter().all(|law| law.is_torque() || matches!(law, Law::Gravity(_)));
+        (constant, free_of_force)
+    }
+
+    /// Whether no torque acts about the centre of mass and nothing holds the body.
+    pub fn torque_free(&self) -> bool {
+        !self.body.pivoted && self.forces.laws().iter().all(|law| matches!(law, Law::Gravity(_)))
+    }
 
     /// The least model that determines the motion.
-    pub fn least(&self) -> AnyModel {
+    pub fn least(&self) -> AnyModel<T> {
         let (rotational, start, forces) = (self.rotational(), self.start, self.forces.clone());
         let laws = self.forces.laws();
         if self.body.pivoted {
@@ -182,21 +215,21 @@ impl System {
                     |law| if let Law::Gravity(gravity) = law { Some(gravity.acceleration) } else { None },
                 )
                 .sum();
-            let inverse_mass = 1.0 / self.body.mass;
+            let inverse_mass = T::one() / self.body.mass;
             return AnyModel::Falling(Falling { rotational, start, acceleration, forces, inverse_mass });
         }
         if laws.iter().all(Law::is_torque) {
             let center = Vector3::zeros();
             return AnyModel::Torque(Rotor { rotational, start, forces, pivot: None, center });
         }
-        AnyModel::Forced(Forced { rotational, start, forces, inverse_mass: 1.0 / self.body.mass })
+        AnyModel::Forced(Forced { rotational, start, forces, inverse_mass: T::one() / self.body.mass })
     }
 
     /// The note as written, on every mass point.
     ///
     /// # Errors
     /// [`SystemError::NoPointForm`].
-    pub fn points(&self) -> Result<AnyModel, SystemError> {
+    pub fn points(&self) -> Result<AnyModel<T>, SystemError> {
         if self.body.points.is_empty() {
             return Err(SystemError::NoPointForm);
         }
@@ -214,26 +247,29 @@ impl System {
     }
 
     /// Rotational energy ½ Ω·L [J], about the origin.
-    pub fn rotational_energy(&self, snapshot: &Snapshot) -> f64 {
-        0.5 * snapshot.angular_velocity.dot(&snapshot.angular_momentum)
+    pub fn rotational_energy(&self, snapshot: &Snapshot<T>) -> T {
+        snapshot.angular_velocity.dot(&snapshot.angular_momentum) * 0.5
     }
 
     /// Kinetic energy [J].
-    pub fn kinetic_energy(&self, snapshot: &Snapshot) -> f64 {
-        let translation =
-            if self.body.pivoted { 0.0 } else { 0.5 * self.body.mass * snapshot.velocity.norm_squared() };
+    pub fn kinetic_energy(&self, snapshot: &Snapshot<T>) -> T {
+        let translation = if self.body.pivoted {
+            T::zero()
+        } else {
+            self.body.mass * 0.5 * snapshot.velocity.norm_squared()
+        };
         translation + self.rotational_energy(snapshot)
     }
 
     /// Potential energy [J]; `None` where a law has none.
-    pub fn potential_energy(&self, snapshot: &Snapshot) -> Option<f64> {
+    pub fn potential_energy(&self, snapshot: &Snapshot<T>) -> Option<T> {
         let mut placed = Placed::new(self);
         placed.turn(self, &snapshot.orientation);
         let origin = snapshot.position - placed.center();
         self.forces.potential(&placed.cloud(origin, snapshot.velocity, snapshot.angular_velocity))
     }
 
-    fn rotational(&self) -> Rotational {
+    fn rotational(&self) -> Rotational<T> {
         let body_to_principal = self.body.principal.inverse();
         Rotational {
             moments: self.body.moments,

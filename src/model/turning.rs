@@ -4,30 +4,31 @@ use nalgebra::{Quaternion, Vector3};
 
 use super::falling::Falling;
 use super::forced::Forced;
-use super::free::Free;
+use super::free::{Free, FreeRates};
 use super::rotor::Rotor;
 use super::system::Rotational;
 use super::{Broken, Turning};
+use crate::arithmetic::Real;
 use crate::rotation::{Rotation, formulas, length};
 
-impl Turning for Free {
+impl<T: Real> Turning for Free<T> {
     #[inline]
-    fn rotational(&self) -> &Rotational {
+    fn rotational(&self) -> &Rotational<T> {
         &self.rotational
     }
 
     #[inline(always)]
-    fn attitude(&self, state: &Rotation) -> Rotation {
+    fn attitude(&self, state: &Rotation<T>) -> Rotation<T> {
         *state
     }
 
     #[inline(always)]
-    fn momentum(&self, _state: &Rotation) -> Vector3<f64> {
+    fn momentum(&self, _state: &Rotation<T>) -> Vector3<T> {
         self.start.angular_momentum
     }
 
     #[inline(always)]
-    fn place(&self, state: &mut Rotation, attitude: Rotation, _momentum: Vector3<f64>) {
+    fn place(&self, state: &mut Rotation<T>, attitude: Rotation<T>, _momentum: Vector3<T>) {
         *state = attitude;
     }
 
@@ -35,35 +36,35 @@ impl Turning for Free {
     #[inline(always)]
     fn rates_at_stage(
         &self,
-        _t: f64,
-        _held: (&Rotation, f64, &Vector3<f64>),
-        (q, time): (&Quaternion<f64>, f64),
-        _stage: &mut Rotation,
-    ) -> Result<(Vector3<f64>, Quaternion<f64>), Broken> {
+        _t: T,
+        _held: (&Rotation<T>, T, &FreeRates<T>),
+        (q, time): (&Quaternion<T>, T),
+        _stage: &mut Rotation<T>,
+    ) -> Result<(FreeRates<T>, Quaternion<T>), Broken> {
         let (inverse, momentum) = (self.rotational.inverse_moments, self.start.angular_momentum);
         let (spin, [w, x, y, z]) =
-            formulas::spin_at([q.w, q.i, q.j, q.k], 0.5 * time, inverse.into(), momentum.into());
-        Ok((spin.into(), Quaternion::new(w, x, y, z)))
+            formulas::spin_at([q.w, q.i, q.j, q.k], time * 0.5, inverse.into(), momentum.into());
+        Ok((FreeRates { spin: spin.into() }, Quaternion::new(w, x, y, z)))
     }
 
     #[inline(always)]
-    fn spin_of(&self, rates: &Vector3<f64>) -> Vector3<f64> {
-        *rates
+    fn spin_of(&self, rates: &FreeRates<T>) -> Vector3<T> {
+        rates.spin
     }
 
     #[inline]
-    fn torque_of(&self, _rates: &Vector3<f64>) -> Vector3<f64> {
+    fn torque_of(&self, _rates: &FreeRates<T>) -> Vector3<T> {
         Vector3::zeros()
     }
 
     #[inline]
-    fn kick(&self, _state: &mut Rotation, _s: f64, _rates: &Vector3<f64>) {}
+    fn kick(&self, _state: &mut Rotation<T>, _s: T, _rates: &FreeRates<T>) {}
 
     #[inline]
-    fn drift(&self, _state: &mut Rotation, _s: f64) {}
+    fn drift(&self, _state: &mut Rotation<T>, _s: T) {}
 
     #[inline]
-    fn apart(&self, a: &Rotation, b: &Rotation) -> f64 {
+    fn apart(&self, a: &Rotation<T>, b: &Rotation<T>) -> T {
         attitude_apart(a, b)
     }
 
@@ -73,49 +74,49 @@ impl Turning for Free {
     }
 }
 
-impl Turning for Falling {
+impl<T: Real> Turning for Falling<T> {
     #[inline]
-    fn rotational(&self) -> &Rotational {
+    fn rotational(&self) -> &Rotational<T> {
         &self.rotational
     }
 
     #[inline]
-    fn attitude(&self, state: &Self::State) -> Rotation {
+    fn attitude(&self, state: &Self::State) -> Rotation<T> {
         state.attitude
     }
 
     #[inline]
-    fn momentum(&self, _state: &Self::State) -> Vector3<f64> {
+    fn momentum(&self, _state: &Self::State) -> Vector3<T> {
         self.start.angular_momentum
     }
 
     #[inline]
-    fn place(&self, state: &mut Self::State, attitude: Rotation, _momentum: Vector3<f64>) {
+    fn place(&self, state: &mut Self::State, attitude: Rotation<T>, _momentum: Vector3<T>) {
         state.attitude = attitude;
     }
 
     #[inline]
-    fn spin_of(&self, rates: &Self::Rates) -> Vector3<f64> {
+    fn spin_of(&self, rates: &Self::Rates) -> Vector3<T> {
         rates.spin
     }
 
     #[inline]
-    fn torque_of(&self, _rates: &Self::Rates) -> Vector3<f64> {
+    fn torque_of(&self, _rates: &Self::Rates) -> Vector3<T> {
         Vector3::zeros()
     }
 
     #[inline]
-    fn kick(&self, state: &mut Self::State, s: f64, rates: &Self::Rates) {
+    fn kick(&self, state: &mut Self::State, s: T, rates: &Self::Rates) {
         state.velocity += rates.acceleration * s;
     }
 
     #[inline]
-    fn drift(&self, state: &mut Self::State, s: f64) {
+    fn drift(&self, state: &mut Self::State, s: T) {
         state.position += state.velocity * s;
     }
 
     #[inline]
-    fn apart(&self, a: &Self::State, b: &Self::State) -> f64 {
+    fn apart(&self, a: &Self::State, b: &Self::State) -> T {
         attitude_apart(&a.attitude, &b.attitude)
             .max(relative(&a.position, &b.position, &self.start.position))
             .max(relative(&a.velocity, &b.velocity, &self.start.velocity))
@@ -127,48 +128,48 @@ impl Turning for Falling {
     }
 }
 
-impl Turning for Rotor {
+impl<T: Real> Turning for Rotor<T> {
     #[inline]
-    fn rotational(&self) -> &Rotational {
+    fn rotational(&self) -> &Rotational<T> {
         &self.rotational
     }
 
     #[inline]
-    fn attitude(&self, state: &Self::State) -> Rotation {
+    fn attitude(&self, state: &Self::State) -> Rotation<T> {
         state.attitude
     }
 
     #[inline]
-    fn momentum(&self, state: &Self::State) -> Vector3<f64> {
+    fn momentum(&self, state: &Self::State) -> Vector3<T> {
         state.momentum
     }
 
     #[inline]
-    fn place(&self, state: &mut Self::State, attitude: Rotation, momentum: Vector3<f64>) {
+    fn place(&self, state: &mut Self::State, attitude: Rotation<T>, momentum: Vector3<T>) {
         state.attitude = attitude;
         state.momentum = momentum;
     }
 
     #[inline]
-    fn spin_of(&self, rates: &Self::Rates) -> Vector3<f64> {
+    fn spin_of(&self, rates: &Self::Rates) -> Vector3<T> {
         rates.spin
     }
 
     #[inline]
-    fn torque_of(&self, rates: &Self::Rates) -> Vector3<f64> {
+    fn torque_of(&self, rates: &Self::Rates) -> Vector3<T> {
         rates.torque
     }
 
     #[inline]
-    fn kick(&self, state: &mut Self::State, s: f64, rates: &Self::Rates) {
+    fn kick(&self, state: &mut Self::State, s: T, rates: &Self::Rates) {
         state.momentum += rates.torque * s;
     }
 
     #[inline]
-    fn drift(&self, _state: &mut Self::State, _s: f64) {}
+    fn drift(&self, _state: &mut Self::State, _s: T) {}
 
     #[inline]
-    fn apart(&self, a: &Self::State, b: &Self::State) -> f64 {
+    fn apart(&self, a: &Self::State, b: &Self::State) -> T {
         attitude_apart(&a.attitude, &b.attitude).max(relative(
             &a.momentum,
             &b.momentum,
@@ -182,51 +183,51 @@ impl Turning for Rotor {
     }
 }
 
-impl Turning for Forced {
+impl<T: Real> Turning for Forced<T> {
     #[inline]
-    fn rotational(&self) -> &Rotational {
+    fn rotational(&self) -> &Rotational<T> {
         &self.rotational
     }
 
     #[inline]
-    fn attitude(&self, state: &Self::State) -> Rotation {
+    fn attitude(&self, state: &Self::State) -> Rotation<T> {
         state.attitude
     }
 
     #[inline]
-    fn momentum(&self, state: &Self::State) -> Vector3<f64> {
+    fn momentum(&self, state: &Self::State) -> Vector3<T> {
         state.momentum
     }
 
     #[inline]
-    fn place(&self, state: &mut Self::State, attitude: Rotation, momentum: Vector3<f64>) {
+    fn place(&self, state: &mut Self::State, attitude: Rotation<T>, momentum: Vector3<T>) {
         state.attitude = attitude;
         state.momentum = momentum;
     }
 
     #[inline]
-    fn spin_of(&self, rates: &Self::Rates) -> Vector3<f64> {
+    fn spin_of(&self, rates: &Self::Rates) -> Vector3<T> {
         rates.spin
     }
 
     #[inline]
-    fn torque_of(&self, rates: &Self::Rates) -> Vector3<f64> {
+    fn torque_of(&self, rates: &Self::Rates) -> Vector3<T> {
         rates.torque
     }
 
     #[inline]
-    fn kick(&self, state: &mut Self::State, s: f64, rates: &Self::Rates) {
+    fn kick(&self, state: &mut Self::State, s: T, rates: &Self::Rates) {
         state.velocity += rates.acceleration * s;
         state.momentum += rates.torque * s;
     }
 
     #[inline]
-    fn drift(&self, state: &mut Self::State, s: f64) {
+    fn drift(&self, state: &mut Self::State, s: T) {
         state.position += state.velocity * s;
     }
 
     #[inline]
-    fn apart(&self, a: &Self::State, b: &Self::State) -> f64 {
+    fn apart(&self, a: &Self::State, b: &Self::State) -> T {
         attitude_apart(&a.attitude, &b.attitude)
             .max(relative(&a.position, &b.position, &self.start.position))
             .max(relative(&a.velocity, &b.velocity, &self.start.velocity))
@@ -241,7 +242,7 @@ impl Turning for Forced {
 
 /// |q_a − q_b|: half the angle between two attitudes near each other.
 #[inline]
-fn attitude_apart(a: &Rotation, b: &Rotation) -> f64 {
+fn attitude_apart<T: Real>(a: &Rotation<T>, b: &Rotation<T>) -> T {
     (a.as_ref() - b.as_ref()).norm()
 }
 
@@ -251,7 +252,7 @@ const NEAR_REST: f64 = 1e-4;
 /// |a − b| over the larger length, or over that of what has come to rest where this is more: forces that cancel leave a rounding of
 /// what they were, which of a body at rest is no small part. 0 where all are zero.
 #[inline]
-fn relative(a: &Vector3<f64>, b: &Vector3<f64>, start: &Vector3<f64>) -> f64 {
-    let size = length(a).max(length(b)).max(NEAR_REST * length(start));
-    if size == 0.0 { 0.0 } else { length(&(a - b)) / size }
+fn relative<T: Real>(a: &Vector3<T>, b: &Vector3<T>, start: &Vector3<T>) -> T {
+    let size = length(a).max(length(b)).max(length(start) * NEAR_REST);
+    if size == 0.0 { size } else { length(&(a - b)) / size }
 }

@@ -1,51 +1,19 @@
 //! Rotations as sums and products alone, for one body or for many side by side: what the models step with.
 //!
-//! A rotation vector v, |v| ≤ 1 rad, turns by the quaternion (c, s v/2); with x = |v|/2 and y = x² ≤ ¼
+//! A rotation vector v turns by the quaternion (c, s v/2), c = cos(|v|/2), s = sin(|v|/2)/(|v|/2), which come with the arithmetic.
 //!
-//! (1)  c = cos x     = 1 − y/2! + y²/4! − y³/6! + … − y⁷/14!      left out: y⁸/16! < 1e-18
-//! (2)  s = sin x / x = 1 − y/3! + y²/5! − y³/7! + … − y⁷/15!      left out: y⁸/17! < 1e-19
+//! (1)  R = axes of q by its products;  Ω = R I⁻¹ Rᵀ L
+//! (2)  q₁ = (c, s v/2) · q (3 − |q|²)/2                          the length of q put right before it is turned
 //!
-//! in y, so that neither a root nor a division is taken, and in powers of y², so that the terms do not wait for each
-//! other. Larger angles take the plain way, [`super::turn`].
-//!
-//! (3)  R = axes of q by its products;  Ω = R I⁻¹ Rᵀ L
-//! (4)  q₁ = (c, s v/2) · q (3 − |q|²)/2                          the length of q put right before it is turned
-//!
-//! (4) puts right what the last turn left of |q| = 1, a few rounding units, so that it does not add up; the turn
+//! (2) puts right what the last turn left of |q| = 1, a few rounding units, so that it does not add up; the turn
 //! does not wait for it.
 
-use crate::arithmetic::Number;
+use crate::arithmetic::{Number, Real};
 
-/// Largest (angle/2)² that the series take: one radian.
-pub const LARGEST_SQUARE: f64 = 0.25;
-
-/// cos x and sin x / x for y = x² ≤ ¼, by (1) and (2).
-#[inline(always)]
-pub fn coefficients<T: Number>(y: T) -> (T, T) {
-    let one = y.like(1.0);
-    let yy = y * y;
-    let y4 = yy * yy;
-    let cosine = (pair(y, 24.0, 720.0) + yy * pair(y, 40_320.0, 3_628_800.0))
-        + y4 * pair(y, 479_001_600.0, 87_178_291_200.0);
-    let sine = (pair(y, 120.0, 5_040.0) + yy * pair(y, 362_880.0, 39_916_800.0))
-        + y4 * pair(y, 6_227_020_800.0, 1_307_674_368_000.0);
-    // The small parts are put together first: one rounding of the size of the result.
-    (one - (y * 0.5 - yy * cosine), one - (y * (1.0 / 6.0) - yy * sine))
-}
-
-/// Largest |e| that [`inverse_root`] takes.
-pub const LARGEST_EXCESS: f64 = 1.0 / (1u32 << 20) as f64;
-
-/// 1/√(1 + e) = 1 − 1/2 e + 3/8 e² for |e| ≤ 2⁻²⁰; left out: 5/16 e³ < 3e-19.
+/// 1/√(1 + e) = 1 − 1/2 e + 3/8 e² for |e| ≤ [`LARGEST_EXCESS`](crate::arithmetic::Real::LARGEST_EXCESS).
 #[inline(always)]
 pub fn inverse_root<T: Number>(e: T) -> T {
     e.like(1.0) - (e * 0.5 - (e * e) * (3.0 / 8.0))
-}
-
-/// 1/n − y/m.
-#[inline(always)]
-fn pair<T: Number>(y: T, n: f64, m: f64) -> T {
-    y.like(1.0 / n) - y * (1.0 / m)
 }
 
 /// x s.
@@ -60,7 +28,7 @@ pub fn dot<T: Number>(a: [T; 3], b: [T; 3]) -> T {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// Rows of the matrix of a unit quaternion (w, x, y, z), by (3).
+/// Rows of the matrix of a unit quaternion (w, x, y, z), by (1).
 #[inline(always)]
 pub fn axes<T: Number>(q: [T; 4]) -> [[T; 3]; 3] {
     let [w, x, y, z] = q;
@@ -92,17 +60,12 @@ pub fn outer_columns<T: Number>(q: [T; 4]) -> [[T; 3]; 2] {
     [[one - (yy + z * z2), x * y2 + w * z2, xz - wy], [xz + wy, y * z2 - w * x2, one - (x * x2 + yy)]]
 }
 
-/// Ω by (3) with the axes of q/|q|, for a quaternion of any length, and s q̇ = s/2 Ω q = s/2 q ω with ω = I⁻¹ Rᵀ L in
+/// Ω by (1) with the axes of q/|q|, for a quaternion of any length, and s q̇ = s/2 Ω q = s/2 q ω with ω = I⁻¹ Rᵀ L in
 /// principal axes; `half` is s/2.
 ///
 /// The division by |q|² stands last, so that nothing waits for it.
 #[inline(always)]
-pub fn spin_at(
-    q: [f64; 4],
-    half: f64,
-    inverse_moments: [f64; 3],
-    momentum: [f64; 3],
-) -> ([f64; 3], [f64; 4]) {
+pub fn spin_at<T: Real>(q: [T; 4], half: T, inverse_moments: [T; 3], momentum: [T; 3]) -> ([T; 3], [T; 4]) {
     let [w, x, y, z] = q;
     let length = (w * w + x * x) + (y * y + z * z);
     let shrink = half / length;
@@ -126,7 +89,7 @@ pub fn spin_at(
         (c * w - p * z) + (b * x - a * y),
     ];
     let moved = [rate[0] * shrink, rate[1] * shrink, rate[2] * shrink, rate[3] * shrink];
-    (scaled(spin, 1.0 / (length * length)), moved)
+    (scaled(spin, T::one() / (length * length)), moved)
 }
 
 /// (0, v) q.
@@ -141,7 +104,7 @@ pub fn pure_times<T: Number>(v: [T; 3], q: [T; 4]) -> [T; 4] {
     ]
 }
 
-/// Ω by (3).
+/// Ω by (1).
 #[inline(always)]
 pub fn spin<T: Number>(columns: &[[T; 3]; 2], inverse_moments: [T; 3], momentum: [T; 3]) -> [T; 3] {
     let [a, b, c] = inverse_moments;
@@ -152,7 +115,7 @@ pub fn spin<T: Number>(columns: &[[T; 3]; 2], inverse_moments: [T; 3], momentum:
     [l[0] + (x[0] * p + z[0] * r), l[1] + (x[1] * p + z[1] * r), l[2] + (x[2] * p + z[2] * r)]
 }
 
-/// A quaternion after the turn by a rotation vector of which half is given, by (4); `coefficients` are c and s.
+/// A quaternion after the turn by a rotation vector of which half is given, by (2); `coefficients` are c and s.
 #[inline(always)]
 pub fn turned<T: Number>((c, s): (T, T), half: [T; 3], q: [T; 4]) -> [T; 4] {
     let length = (q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3]);
@@ -166,34 +129,4 @@ pub fn turned<T: Number>((c, s): (T, T), half: [T; 3], q: [T; 4]) -> [T; 4] {
         c * y + s * (j * w + k * x - i * z),
         c * z + s * (k * w + i * y - j * x),
     ]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_series_meet_sine_and_cosine_to_a_rounding_unit() {
-        let mut worst = [0.0f64; 2];
-        for k in 0..=200_000 {
-            let x = 0.5 * f64::from(k) / 200_000.0;
-            let (cosine, sine) = coefficients(x * x);
-            let true_sine = if x == 0.0 { 1.0 } else { x.sin() / x };
-            worst[0] = worst[0].max((cosine - x.cos()).abs());
-            worst[1] = worst[1].max((sine - true_sine).abs());
-        }
-        // A unit in the last place below 1 is EPSILON/2. sin x / x of the library is rounded twice itself. That the two are
-        // not equal everywhere shows that something was compared.
-        assert!(worst[0] <= 0.5 * f64::EPSILON && worst[0] > 0.0, "{worst:?}");
-        assert!(worst[1] <= f64::EPSILON && worst[1] > 0.0, "{worst:?}");
-    }
-
-    #[test]
-    fn the_series_are_one_to_the_last_bit_where_the_square_underflows() {
-        for x in [0.0, 1e-308, 1e-200, 1e-160, 1e-9] {
-            assert_eq!(coefficients(x * x), (1.0, 1.0));
-        }
-        // … and not before: an angle of 1e-7 is seen in the cosine of its half.
-        assert!(coefficients(2.5e-15).0 < 1.0);
-    }
 }

@@ -13,14 +13,16 @@ pub mod free_rotor;
 
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
+use crate::arithmetic::{Real, series};
+
 /// A proper rotation of space.
-pub type Rotation = UnitQuaternion<f64>;
+pub type Rotation<T = f64> = UnitQuaternion<T>;
 
 /// Length of a vector, without overflow or underflow of the squares.
 #[inline]
-pub fn length(v: &Vector3<f64>) -> f64 {
+pub fn length<T: Real>(v: &Vector3<T>) -> T {
     let plain = v.norm_squared();
-    if plain > 1e-280 && plain < 1e280 {
+    if plain > T::PLAIN_SQUARES[0] && plain < T::PLAIN_SQUARES[1] {
         return plain.sqrt();
     }
     let largest = v.amax();
@@ -35,8 +37,8 @@ pub fn length(v: &Vector3<f64>) -> f64 {
 /// With x = |v|/2 the quaternion is (cos x, (sin x / x) v/2). Where x² underflows, sin x / x is 1 to the last
 /// bit anyway; where it would overflow, the length is taken scaled.
 #[inline]
-pub fn turn(v: &Vector3<f64>) -> Rotation {
-    let half = v * 0.5;
+pub fn turn<T: Real>(v: &Vector3<T>) -> Rotation<T> {
+    let half = v * T::of(0.5);
     let x = length(&half);
     if x == 0.0 {
         return Rotation::identity();
@@ -47,22 +49,23 @@ pub fn turn(v: &Vector3<f64>) -> Rotation {
 
 /// cos x and sin x / x, x = |half|.
 #[inline(always)]
-fn coefficients(half: [f64; 3]) -> (f64, f64) {
+fn coefficients<T: Real>(half: [T; 3]) -> (T, T) {
     let square = formulas::dot(half, half);
-    if square <= formulas::LARGEST_SQUARE {
-        formulas::coefficients(square)
+    if square <= series::LARGEST_SQUARE {
+        T::turn_coefficients(square)
     } else {
         let x = length(&half.into());
-        (x.cos(), x.sin() / x)
+        let (sine, cosine) = x.sin_cos();
+        (cosine, sine / x)
     }
 }
 
-/// sin x and cos x: by the series of [`formulas`] up to half a radian.
+/// sin x and cos x: by the series of [`series`] up to half a radian.
 #[inline(always)]
-pub fn sine_and_cosine(x: f64) -> (f64, f64) {
+pub fn sine_and_cosine<T: Real>(x: T) -> (T, T) {
     let square = x * x;
-    if square <= formulas::LARGEST_SQUARE {
-        let (cosine, sine) = formulas::coefficients(square);
+    if square <= series::LARGEST_SQUARE {
+        let (cosine, sine) = T::turn_coefficients(square);
         return (x * sine, cosine);
     }
     x.sin_cos()
@@ -70,8 +73,8 @@ pub fn sine_and_cosine(x: f64) -> (f64, f64) {
 
 /// R(Ω, s) · from, the length of `from` put right before.
 #[inline(always)]
-pub fn turned(from: &Rotation, spin: &Vector3<f64>, s: f64) -> Rotation {
-    let half = 0.5 * s;
+pub fn turned<T: Real>(from: &Rotation<T>, spin: &Vector3<T>, s: T) -> Rotation<T> {
+    let half = s * 0.5;
     let half = [spin.x * half, spin.y * half, spin.z * half];
     let [w, x, y, z] = formulas::turned(coefficients(half), half, [from.w, from.i, from.j, from.k]);
     Rotation::new_unchecked(Quaternion::new(w, x, y, z))
@@ -79,7 +82,7 @@ pub fn turned(from: &Rotation, spin: &Vector3<f64>, s: f64) -> Rotation {
 
 /// dq/dt = ½ Ω q, Ω in world axes as the quaternion (0, Ω).
 #[inline(always)]
-pub fn rate_of(spin: &Vector3<f64>, q: &Quaternion<f64>) -> Quaternion<f64> {
+pub fn rate_of<T: Real>(spin: &Vector3<T>, q: &Quaternion<T>) -> Quaternion<T> {
     let half = [spin.x * 0.5, spin.y * 0.5, spin.z * 0.5];
     let [w, x, y, z] = formulas::pure_times(half, [q.w, q.i, q.j, q.k]);
     Quaternion::new(w, x, y, z)
@@ -87,7 +90,7 @@ pub fn rate_of(spin: &Vector3<f64>, q: &Quaternion<f64>) -> Quaternion<f64> {
 
 /// The matrix of a rotation.
 #[inline(always)]
-pub fn axes(rotation: &Rotation) -> Matrix3<f64> {
+pub fn axes<T: Real>(rotation: &Rotation<T>) -> Matrix3<T> {
     let [x, y, z] = formulas::axes([rotation.w, rotation.i, rotation.j, rotation.k]);
     Matrix3::new(x[0], x[1], x[2], y[0], y[1], y[2], z[0], z[1], z[2])
 }
@@ -97,11 +100,11 @@ pub fn axes(rotation: &Rotation) -> Matrix3<f64> {
 /// With v = Ω s/2, x = |v|, c = cos x, S = sin x / x and K the matrix of v ×, R − E = 2 c S K + 2 S² K². What rounding
 /// makes of c² + S² x² = 1 stretches what is turned by that times the square of the angle.
 #[inline]
-pub fn change_of_turn(spin: &Vector3<f64>, s: f64) -> [[f64; 3]; 3] {
-    let half_time = 0.5 * s;
+pub fn change_of_turn<T: Real>(spin: &Vector3<T>, s: T) -> [[T; 3]; 3] {
+    let half_time = s * 0.5;
     let [x, y, z] = [spin.x * half_time, spin.y * half_time, spin.z * half_time];
     let (cosine, sine) = coefficients([x, y, z]);
-    let (a, b) = (2.0 * cosine * sine, 2.0 * sine * sine);
+    let (a, b) = (cosine * 2.0 * sine, sine * 2.0 * sine);
     let (bx, by, bz) = (b * x, b * y, b * z);
     let (ax, ay, az) = (a * x, a * y, a * z);
     [
@@ -113,28 +116,28 @@ pub fn change_of_turn(spin: &Vector3<f64>, s: f64) -> [[f64; 3]; 3] {
 
 /// The rotation vector of `rotation` [rad], with an angle in [0, π]: the logarithm.
 #[inline]
-pub fn vector_of(rotation: &Rotation) -> Vector3<f64> {
-    let sign = if rotation.w < 0.0 { -1.0 } else { 1.0 };
+pub fn vector_of<T: Real>(rotation: &Rotation<T>) -> Vector3<T> {
+    let sign = if rotation.w < 0.0 { -T::one() } else { T::one() };
     let imaginary = rotation.imag() * sign;
     let sine = length(&imaginary);
     if sine == 0.0 {
         return imaginary;
     }
-    imaginary * (2.0 * sine.atan2(rotation.w * sign) / sine)
+    imaginary * (sine.atan2(rotation.w * sign) * 2.0 / sine)
 }
 
 /// The angle of the relative rotation between two orientations [rad], in [0, π], good down to 1e-16:
 /// 2 atan2(|imaginary|, |real|) rather than 2 acos|real|, which reads 0 below 1e-8.
-pub fn angle_between(a: &Rotation, b: &Rotation) -> f64 {
+pub fn angle_between<T: Real>(a: &Rotation<T>, b: &Rotation<T>) -> T {
     let relative = a.inverse() * b;
-    2.0 * length(&relative.imag().into_owned()).atan2(relative.w.abs())
+    length(&relative.imag().into_owned()).atan2(relative.w.abs()) * 2.0
 }
 
 /// The angle between two directions [rad], in [0, π]; 0 where either vector is zero.
-pub fn angle_between_directions(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
+pub fn angle_between_directions<T: Real>(a: &Vector3<T>, b: &Vector3<T>) -> T {
     let (length_a, length_b) = (length(a), length(b));
     if length_a == 0.0 || length_b == 0.0 {
-        return 0.0;
+        return T::zero();
     }
     let (a, b) = (a / length_a, b / length_b);
     length(&a.cross(&b)).atan2(a.dot(&b))
@@ -143,16 +146,16 @@ pub fn angle_between_directions(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
 /// A quaternion that rounding has moved off the unit sphere, put back: one Newton step for 1/|q|, exact to
 /// the order of the square of the deviation.
 #[inline]
-pub fn renormalized(rotation: Rotation) -> Rotation {
+pub fn renormalized<T: Real>(rotation: Rotation<T>) -> Rotation<T> {
     let q = rotation.into_inner();
-    Rotation::new_unchecked(q * (1.5 - 0.5 * q.norm_squared()))
+    Rotation::new_unchecked(q * (T::of(1.5) - q.norm_squared() * 0.5))
 }
 
 /// q/|q|, by a series in |q|² − 1 where that is below 1e-6: neither a root nor a division.
 #[inline(always)]
-pub fn unit(q: &Quaternion<f64>) -> Rotation {
+pub fn unit<T: Real>(q: &Quaternion<T>) -> Rotation<T> {
     let excess = (q.w * q.w + q.i * q.i) + (q.j * q.j + q.k * q.k) - 1.0;
-    if excess.abs() <= formulas::LARGEST_EXCESS {
+    if excess.abs() <= T::LARGEST_EXCESS {
         Rotation::new_unchecked(q * formulas::inverse_root(excess))
     } else {
         Rotation::new_normalize(*q)
@@ -160,7 +163,7 @@ pub fn unit(q: &Quaternion<f64>) -> Rotation {
 }
 
 /// The rotation nearest to a matrix that is one but for rounding, by its largest quaternion component.
-pub fn from_matrix(matrix: &Matrix3<f64>) -> Rotation {
+pub fn from_matrix<T: Real>(matrix: &Matrix3<T>) -> Rotation<T> {
     let rotation = nalgebra::Rotation3::from_matrix_unchecked(*matrix);
     Rotation::new_normalize(Rotation::from_rotation_matrix(&rotation).into_inner())
 }
@@ -168,8 +171,8 @@ pub fn from_matrix(matrix: &Matrix3<f64>) -> Rotation {
 /// The rotation R that best carries `from` onto `to`: the minimum of Σ |to_k − R from_k|² weighted by `weights`
 /// (Wahba's problem, solved by the singular value decomposition of Σ w to fromᵀ). A plane or a line of points
 /// is enough; about a line the angle is the one of least turning.
-pub fn best_fit(from: &[Vector3<f64>], to: &[Vector3<f64>], weights: &[f64]) -> Rotation {
-    let mut moment = Matrix3::zeros();
+pub fn best_fit<T: Real>(from: &[Vector3<T>], to: &[Vector3<T>], weights: &[T]) -> Rotation<T> {
+    let mut moment: Matrix3<T> = Matrix3::zeros();
     for ((a, b), w) in from.iter().zip(to).zip(weights) {
         moment += b * a.transpose() * *w;
     }
@@ -189,21 +192,21 @@ pub fn best_fit(from: &[Vector3<f64>], to: &[Vector3<f64>], weights: &[f64]) -> 
         return between(&direction_from, &direction_to);
     }
     let handedness = (u * v_transposed).determinant().signum();
-    let mirror = Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, handedness));
+    let mirror = Matrix3::from_diagonal(&Vector3::new(T::one(), T::one(), handedness));
     from_matrix(&(u * mirror * v_transposed))
 }
 
 /// The least rotation that carries one unit vector onto another: (1 + a·b, a × b), scaled to length one. An angle from the inverse
 /// cosine of a·b would be off by 1e-8 where they nearly agree. Where they point apart, a is carried to −b, and on by a half turn
 /// about the axis that is across both.
-fn between(a: &Vector3<f64>, b: &Vector3<f64>) -> Rotation {
+fn between<T: Real>(a: &Vector3<T>, b: &Vector3<T>) -> Rotation<T> {
     if a.dot(b) >= 0.0 {
-        return Rotation::new_normalize(Quaternion::from_parts(1.0 + a.dot(b), a.cross(b)));
+        return Rotation::new_normalize(Quaternion::from_parts(a.dot(b) + 1.0, a.cross(b)));
     }
     let across = a.cross(b);
     let across = across - b * b.dot(&across);
     let half = if across.norm() > 1e-8 {
-        Rotation::new_normalize(Quaternion::from_parts(0.0, across))
+        Rotation::new_normalize(Quaternion::from_parts(T::zero(), across))
     } else {
         half_turn(b)
     };
@@ -211,10 +214,10 @@ fn between(a: &Vector3<f64>, b: &Vector3<f64>) -> Rotation {
 }
 
 /// A half turn that reverses `direction`, about any axis across it.
-fn half_turn(direction: &Vector3<f64>) -> Rotation {
+fn half_turn<T: Real>(direction: &Vector3<T>) -> Rotation<T> {
     let smallest = direction.iamin();
-    let across = direction.cross(&Vector3::ith(smallest, 1.0)).normalize();
-    turn(&(across * std::f64::consts::PI))
+    let across = direction.cross(&Vector3::ith(smallest, T::one())).normalize();
+    turn(&(across * T::pi()))
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ fn a_turn_is_a_rotation_for_tiny_huge_and_no_angles() {
         let rotation = turn(&v);
         assert!((rotation.norm() - 1.0).abs() < 4.0 * f64::EPSILON, "exponent {exponent}");
     }
-    assert_eq!(turn(&Vector3::zeros()), Rotation::identity());
+    assert_eq!(turn(&Vector3::<f64>::zeros()), Rotation::identity());
 }
 
 #[test]
@@ -34,7 +34,7 @@ fn an_angle_between_directions_does_not_depend_on_their_lengths() {
 
 #[test]
 fn a_vector_of_no_length_makes_no_angle() {
-    let (zero, x) = (Vector3::zeros(), Vector3::x());
+    let (zero, x) = (Vector3::<f64>::zeros(), Vector3::x());
     assert_eq!(
         [(&zero, &x), (&x, &zero), (&zero, &zero)].map(|(a, b)| angle_between_directions(a, b)),
         [0.0; 3]
@@ -80,7 +80,7 @@ fn a_fit_is_to_points_by_their_weights_at_every_scale() {
     for nothing in [Vector3::zeros(), Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NAN)] {
         assert_eq!(best_fit(&point, &[nothing], &[1.0]), Rotation::identity());
     }
-    assert_eq!(best_fit(&[], &[], &[]), Rotation::identity());
+    assert_eq!(best_fit::<f64>(&[], &[], &[]), Rotation::identity());
 }
 
 #[test]

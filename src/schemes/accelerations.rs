@@ -2,24 +2,25 @@
 
 use nalgebra::Vector3;
 
+use crate::arithmetic::Real;
 use crate::model::{Motion, Rates, Turning};
 use crate::rotation::Rotation;
 
 /// Accelerations of the rotation, body axes [rad/s²], and of the centre of mass [m/s²].
 #[derive(Clone, Copy)]
-pub(super) struct Accelerations {
-    pub(super) spin: Vector3<f64>,
-    pub(super) velocity: Vector3<f64>,
+pub(super) struct Accelerations<T: Real> {
+    pub(super) spin: Vector3<T>,
+    pub(super) velocity: Vector3<T>,
 }
 
-impl Accelerations {
+impl<T: Real> Accelerations<T> {
     /// v̇ and F/M of rates at an attitude and L.
     #[inline]
-    pub(super) fn of<M: Turning>(
+    pub(super) fn of<M: Turning<Real = T>>(
         model: &M,
         rates: &M::Rates,
-        attitude: &Rotation,
-        momentum: &Vector3<f64>,
+        attitude: &Rotation<T>,
+        momentum: &Vector3<T>,
     ) -> Self {
         let in_body = attitude.inverse_transform_vector(momentum);
         let inverse = model.rotational().inverse_moments;
@@ -30,7 +31,7 @@ impl Accelerations {
 
     /// A weighted sum.
     #[inline]
-    pub(super) fn mixed(&self, part: f64, other: &Accelerations, rest: f64) -> Accelerations {
+    pub(super) fn mixed(&self, part: T, other: &Accelerations<T>, rest: T) -> Accelerations<T> {
         Accelerations {
             spin: self.spin * part + other.spin * rest,
             velocity: self.velocity * part + other.velocity * rest,
@@ -39,14 +40,14 @@ impl Accelerations {
 
     /// As rates, to be kept in the history.
     #[inline]
-    pub(super) fn kept<R: Rates>(&self) -> R {
+    pub(super) fn kept<R: Rates<T>>(&self) -> R {
         let zero = Vector3::zeros();
         R::of(Motion { spin: self.spin, velocity: zero, acceleration: self.velocity, torque: zero })
     }
 
     /// What was kept.
     #[inline]
-    pub(super) fn remembered<R: Rates>(rates: R) -> Accelerations {
+    pub(super) fn remembered<R: Rates<T>>(rates: R) -> Accelerations<T> {
         let motion = rates.motion();
         Accelerations { spin: motion.spin, velocity: motion.acceleration }
     }

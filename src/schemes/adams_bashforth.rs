@@ -1,5 +1,6 @@
-//! What the schemes of Adams and Bashforth share: rates of earlier steps, weighted, in a vector space.
+//! Adams and Bashforth's methods: rates of earlier steps, weighted, in a vector space.
 //!
+//! (0)  the first steps by `peskin-rk4`, whose error does not cap the order; or, started cold, with all earlier rates those of t = 0
 //! (1)  q(t+h) = q(t) + h Σ_j b_j q̇(t − j h),  q̇ = ½ Ω q, then scaled back to length one
 //! (2)  X_cm, U_cm and L likewise from U_cm, F/M and τ
 //!
@@ -7,77 +8,166 @@
 //! at different times do not commute.
 //!
 //! Earlier states stand behind those of the start-up scheme, the latest last, as their rates do in the history.
+//!
+//! Source: bashforth1883 for the weights; jsbsim for attitudes in this way and for the cold start, whose first step is Euler's. Its error,
+//! ∝ h², stays in the motion: second order, whatever the weights promise. One evaluation a step.
 
 use nalgebra::Quaternion;
 
-use super::{PeskinRk4, Scheme, Workspace};
-use crate::model::{Broken, Turning};
+use super::card::claims;
+use super::{Card, PeskinRk4, Scheme, Step, TurningScheme};
+use crate::arithmetic::Real;
+use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
+use crate::model::{Broken, Rates, Turning};
 use crate::rotation::Rotation;
 
-/// b of three rates, from the latest to the earliest.
-pub(super) const THREE: [f64; 3] = [23.0 / 12.0, -16.0 / 12.0, 5.0 / 12.0];
-/// b of four rates.
-pub(super) const FOUR: [f64; 4] = [55.0 / 24.0, -59.0 / 24.0, 37.0 / 24.0, -9.0 / 24.0];
-
-/// States of a method with so many weights: those of the start-up scheme and the earlier ones.
-pub(super) const fn states(weights: usize) -> usize {
-    PeskinRk4::STATES + weights - 1
+/// A method of Adams and Bashforth.
+#[derive(Clone, Copy, Debug)]
+pub struct AdamsBashforth {
+    /// b times the divisor, from the latest rates to the earliest.
+    weights: &'static [f64],
+    divisor: f64,
+    cold: bool,
+    name: &'static str,
+    title: &'static str,
+    claims: &'static [Claim],
 }
 
-/// Takes a step by `peskin-rk4` while the history is short, and keeps its rates; whether it did.
-pub(super) fn start<M: Turning, const N: usize>(
-    model: &M,
-    t: f64,
-    h: f64,
-    from: &M::State,
-    to: &mut M::State,
-    work: &mut Workspace<M>,
-) -> Result<bool, Broken> {
-    let known = work.history.len();
-    if known + 1 >= N {
-        return Ok(false);
+const FAMILY: &[Claim] = &[
+    Claim::Exact(Quantity::Velocity, When::ConstantForce),
+    Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+    Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+    Claim::VerticalMomentum,
+    Claim::Equivariant,
+];
+
+impl AdamsBashforth {
+    /// On two rates.
+    pub const TWO: AdamsBashforth = AdamsBashforth {
+        weights: &[3.0, -1.0],
+        divisor: 2.0,
+        cold: false,
+        name: "adams-bashforth-2",
+        title: "Adams–Bashforth 2 in quaternions, exact start",
+        claims: claims![FAMILY;
+            Claim::Order(2),
+            Claim::Exact(Quantity::Position, When::ConstantForce),
+            Claim::FlipTimes,
+            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
+        ],
+    };
+    /// On three rates.
+    pub const THREE: AdamsBashforth = AdamsBashforth {
+        weights: &[23.0, -16.0, 5.0],
+        divisor: 12.0,
+        name: "adams-bashforth-3",
+        title: "Adams–Bashforth 3 in quaternions, exact start",
+        claims: claims![FAMILY;
+            Claim::Order(3),
+            Claim::Exact(Quantity::Position, When::ConstantForce),
+            Claim::FlipTimes,
+            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
+        ],
+        ..AdamsBashforth::TWO
+    };
+    /// On four rates.
+    pub const FOUR: AdamsBashforth = AdamsBashforth {
+        weights: &[55.0, -59.0, 37.0, -9.0],
+        divisor: 24.0,
+        name: "adams-bashforth-4",
+        title: "Adams–Bashforth 4 in quaternions, exact start",
+        claims: claims![FAMILY;
+            Claim::Order(4),
+            Claim::Exact(Quantity::Position, When::ConstantForce),
+            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
+        ],
+        ..AdamsBashforth::TWO
+    };
+    /// On three rates, started cold.
+    pub const THREE_COLD: AdamsBashforth = AdamsBashforth {
+        cold: true,
+        name: "adams-bashforth-3-cold",
+        title: "Adams–Bashforth 3 in quaternions, history filled with the first rates",
+        claims: claims![FAMILY;
+            Claim::Order(2),
+            Claim::Exact(Quantity::Position, When::NoForce),
+            Claim::FlipTimes,
+            Claim::Evaluations(1),
+            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
+        ],
+        ..AdamsBashforth::THREE
+    };
+    /// On four rates, started cold.
+    pub const FOUR_COLD: AdamsBashforth = AdamsBashforth {
+        cold: true,
+        name: "adams-bashforth-4-cold",
+        title: "Adams–Bashforth 4 in quaternions, history filled with the first rates",
+        claims: claims![FAMILY;
+            Claim::Order(2),
+            Claim::Exact(Quantity::Position, When::NoForce),
+            Claim::FlipTimes,
+            Claim::Evaluations(1),
+            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
+        ],
+        ..AdamsBashforth::FOUR
+    };
+
+    /// b of the rates so many steps ago.
+    fn weight<T: Real>(&self, ago: usize) -> T {
+        T::ratio(self.weights[ago], self.divisor)
     }
-    work.history.push(model.rates(t, from)?);
-    work.states[PeskinRk4::STATES + known].clone_from(from);
-    PeskinRk4::step(model, t, h, from, to, work)?;
-    Ok(true)
+
+    /// The earlier states in the workspace.
+    fn past(&self) -> std::ops::Range<usize> {
+        PeskinRk4::STATES..PeskinRk4::STATES + self.weights.len() - 1
+    }
 }
 
-/// A step; `weights` from the latest rates to the earliest. An empty history is filled with the rates of now.
-pub(super) fn step<M: Turning, const N: usize>(
-    weights: &[f64; N],
-    model: &M,
-    t: f64,
-    h: f64,
-    from: &M::State,
-    to: &mut M::State,
-    work: &mut Workspace<M>,
-) -> Result<(), Broken> {
-    let (k0, past) = (model.rates(t, from)?, &mut work.states[PeskinRk4::STATES..]);
-    if work.history.is_empty() {
-        work.history.resize(N - 1, k0);
-        past.fill(from.clone());
+impl TurningScheme for AdamsBashforth {
+    fn card(&self) -> Card {
+        let AdamsBashforth { name, title, claims, .. } = *self;
+        Card { name, title, family: "multistep", source: "bashforth1883; jsbsim", claims }
     }
-    let mut rates = k0 * weights[0];
-    let mut change = derivative(model, from, &k0) * weights[0];
-    for (weight, (k, state)) in weights[1..].iter().zip(work.history.iter().zip(past.iter()).rev()) {
-        rates = rates + *k * *weight;
-        change += derivative(model, state, k) * *weight;
+
+    const STATES: usize = PeskinRk4::STATES + 3;
+    const TAKES_VELOCITY_FORCES: bool = true;
+    const TAKES_RODS: bool = true;
+
+    fn step<M: Turning>(&self, model: &M, step: Step<M>) -> Result<(), Broken> {
+        let known = step.work.history.len();
+        let k0 = model.rates(step.t, step.from)?;
+        if !self.cold && known + 1 < self.weights.len() {
+            step.work.history.push(k0);
+            step.work.states[PeskinRk4::STATES + known].clone_from(step.from);
+            return PeskinRk4.step(model, step); // (0)
+        }
+        let Step { h, from, to, work, .. } = step;
+        let past = &mut work.states[self.past()];
+        if known == 0 {
+            work.history.resize(past.len(), k0); // (0)
+            past.fill(from.clone());
+        }
+        let mut rates = k0.scaled(self.weight(0));
+        let mut change = derivative(model, from, &k0) * self.weight::<M::Real>(0);
+        for (ago, (k, state)) in work.history.iter().zip(past.iter()).rev().enumerate() {
+            rates = rates + k.scaled(self.weight(ago + 1));
+            change += derivative(model, state, k) * self.weight::<M::Real>(ago + 1);
+        }
+        model.advance(from, h, &rates, to); // (2)
+        let attitude = Rotation::new_normalize(model.attitude(from).into_inner() + change * h); // (1)
+        let momentum = model.momentum(to);
+        model.place(to, attitude, momentum);
+        past.rotate_left(1);
+        work.history.rotate_left(1);
+        if let (Some(state), Some(k)) = (past.last_mut(), work.history.last_mut()) {
+            state.clone_from(from);
+            *k = k0;
+        }
+        Ok(())
     }
-    model.advance(from, h, &rates, to); // (2)
-    let attitude = Rotation::new_normalize(model.attitude(from).into_inner() + change * h); // (1)
-    let momentum = model.momentum(to);
-    model.place(to, attitude, momentum);
-    past.rotate_left(1);
-    work.history.rotate_left(1);
-    if let (Some(state), Some(k)) = (past.last_mut(), work.history.last_mut()) {
-        state.clone_from(from);
-        *k = k0;
-    }
-    Ok(())
 }
 
 /// q̇ = ½ Ω q [1/s].
-fn derivative<M: Turning>(model: &M, state: &M::State, rates: &M::Rates) -> Quaternion<f64> {
-    Quaternion::from_imag(model.spin_of(rates) * 0.5) * model.attitude(state).into_inner()
+fn derivative<M: Turning>(model: &M, state: &M::State, rates: &M::Rates) -> Quaternion<M::Real> {
+    Quaternion::from_imag(model.spin_of(rates) * M::Real::of(0.5)) * model.attitude(state).into_inner()
 }

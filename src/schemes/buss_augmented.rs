@@ -9,7 +9,7 @@
 //! I is the inertia in world axes. Source: buss2000 for (1) and (2), with constant torque there; (3) and (4) are the
 //! trapezoid that keeps the second order under a torque that changes. L constant without torque.
 
-use super::{Card, TurningScheme, Workspace};
+use super::{Card, Step, TurningScheme};
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 use crate::rotation::{renormalized, turn};
@@ -19,38 +19,33 @@ use crate::rotation::{renormalized, turn};
 pub struct BussAugmented;
 
 impl TurningScheme for BussAugmented {
-    const CARD: Card = Card {
-        name: "buss-augmented",
-        title: "Buss, augmented second order",
-        family: "Lie group",
-        source: "buss2000",
-        claims: &[
-            Claim::Order(2),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::Exact(Quantity::Orientation, When::SteadySpin),
-            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::VerticalMomentum,
-            Claim::FlipTimes,
-            Claim::Rigid,
-            Claim::Evaluations(2),
-            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
-            Claim::Equivariant,
-        ],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "buss-augmented",
+            title: "Buss, augmented second order",
+            family: "Lie group",
+            source: "buss2000",
+            claims: &[
+                Claim::Order(2),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::ConstantForce),
+                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+                Claim::Exact(Quantity::Orientation, When::SteadySpin),
+                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+                Claim::VerticalMomentum,
+                Claim::FlipTimes,
+                Claim::Rigid,
+                Claim::Evaluations(2),
+                Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
+                Claim::Equivariant,
+            ],
+        }
+    }
     const STATES: usize = 0;
     const TAKES_VELOCITY_FORCES: bool = true;
     const TAKES_RODS: bool = true;
 
-    fn step<M: Turning>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        _work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Turning>(&self, model: &M, Step { t, h, from, to, .. }: Step<M>) -> Result<(), Broken> {
         let k0 = model.rates(t, from)?;
         let attitude = model.attitude(from);
         let (spin, torque) = (model.spin_of(&k0), model.torque_of(&k0));

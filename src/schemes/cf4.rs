@@ -12,7 +12,7 @@
 //!
 //! Source: celledoni2003.
 
-use super::{Card, TurningScheme, Workspace};
+use super::{Card, Step, TurningScheme};
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Motion, Rates, Turning};
 use crate::rotation;
@@ -22,36 +22,31 @@ use crate::rotation;
 pub struct Cf4;
 
 impl TurningScheme for Cf4 {
-    const CARD: Card = Card {
-        name: "cf4",
-        title: "Commutator-free method of fourth order, body axes",
-        family: "Lie group",
-        source: "celledoni2003",
-        claims: &[
-            Claim::Order(4),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::Exact(Quantity::Orientation, When::SteadySpin),
-            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::VerticalMomentum,
-            Claim::Evaluations(4),
-            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
-            Claim::Equivariant,
-        ],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "cf4",
+            title: "Commutator-free method of fourth order, body axes",
+            family: "Lie group",
+            source: "celledoni2003",
+            claims: &[
+                Claim::Order(4),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::ConstantForce),
+                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+                Claim::Exact(Quantity::Orientation, When::SteadySpin),
+                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+                Claim::VerticalMomentum,
+                Claim::Evaluations(4),
+                Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
+                Claim::Equivariant,
+            ],
+        }
+    }
     const STATES: usize = 2;
     const TAKES_VELOCITY_FORCES: bool = true;
     const TAKES_RODS: bool = true;
 
-    fn step<M: Turning>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Turning>(&self, model: &M, Step { t, h, from, to, work }: Step<M>) -> Result<(), Broken> {
         let [early, stage] = work.buffers();
         let k1 = body_rates(model, t, from)?;
         turn(model, from, h / 2.0, &k1, early); // (1)
@@ -68,14 +63,14 @@ impl TurningScheme for Cf4 {
 }
 
 /// Rates with the spin in body axes.
-fn body_rates<M: Turning>(model: &M, t: f64, state: &M::State) -> Result<M::Rates, Broken> {
+fn body_rates<M: Turning>(model: &M, t: M::Real, state: &M::State) -> Result<M::Rates, Broken> {
     let motion = model.rates(t, state)?.motion();
     let spin = model.attitude(state).inverse_transform_vector(&motion.spin);
     Ok(M::Rates::of(Motion { spin, ..motion }))
 }
 
 /// `advance` with a spin in body axes.
-fn turn<M: Turning>(model: &M, from: &M::State, s: f64, rates: &M::Rates, into: &mut M::State) {
+fn turn<M: Turning>(model: &M, from: &M::State, s: M::Real, rates: &M::Rates, into: &mut M::State) {
     model.advance(from, s, rates, into);
     let turn = rotation::turn(&(rates.motion().spin * s));
     let momentum = model.momentum(into);

@@ -11,7 +11,7 @@
 //!
 //! Source: peskin2021 with (4) in this order.
 
-use super::{Card, PointScheme, Workspace};
+use super::{Card, PointScheme, Step};
 use crate::claim::{Claim, Quantity, When};
 use crate::model::{Broken, Motion, Pointwise, Rates};
 
@@ -20,34 +20,29 @@ use crate::model::{Broken, Motion, Pointwise, Rates};
 pub struct CourseCodeEuler;
 
 impl PointScheme for CourseCodeEuler {
-    const CARD: Card = Card {
-        name: "course-code-euler",
-        title: "Euler's method with old forces on new lever arms",
-        family: "order of forces",
-        source: "peskin2021",
-        claims: &[
-            Claim::Order(1),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::NoForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::Exact(Quantity::Orientation, When::SteadySpin),
-            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::VerticalMomentum,
-            Claim::Rigid,
-            Claim::Evaluations(2),
-            Claim::Equivariant,
-        ],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "course-code-euler",
+            title: "Euler's method with old forces on new lever arms",
+            family: "order of forces",
+            source: "peskin2021",
+            claims: &[
+                Claim::Order(1),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::NoForce),
+                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+                Claim::Exact(Quantity::Orientation, When::SteadySpin),
+                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+                Claim::VerticalMomentum,
+                Claim::Rigid,
+                Claim::Evaluations(2),
+                Claim::Equivariant,
+            ],
+        }
+    }
     const STATES: usize = 1;
 
-    fn step<M: Pointwise>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Pointwise>(&self, model: &M, Step { t, h, from, to, work }: Step<M>) -> Result<(), Broken> {
         let [moved] = work.buffers();
         let old = model.rates(t, from)?; // (1)
         model.advance(from, h, &old, moved); // (2)

@@ -8,7 +8,7 @@
 //! method, a body on springs keeps its energy for long. Its twin is `course-code-euler`. The forces are wanted
 //! once a step; asking for Ω(t) through the model's rates counts as a second evaluation.
 
-use super::{Card, Scheme, Workspace};
+use super::{Card, Scheme, Step};
 use crate::claim::{Claim, Quantity, When};
 use crate::model::{Broken, Model, Motion, Rates};
 
@@ -17,34 +17,29 @@ use crate::model::{Broken, Model, Motion, Rates};
 pub struct CourseNotesEuler;
 
 impl Scheme for CourseNotesEuler {
-    const CARD: Card = Card {
-        name: "course-notes-euler",
-        title: "Euler's method with forces at the new positions",
-        family: "order of forces",
-        source: "peskin2021",
-        claims: &[
-            Claim::Order(1),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::NoForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::Exact(Quantity::Orientation, When::SteadySpin),
-            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::VerticalMomentum,
-            Claim::Rigid,
-            Claim::Evaluations(2),
-            Claim::Equivariant,
-        ],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "course-notes-euler",
+            title: "Euler's method with forces at the new positions",
+            family: "order of forces",
+            source: "peskin2021",
+            claims: &[
+                Claim::Order(1),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::NoForce),
+                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+                Claim::Exact(Quantity::Orientation, When::SteadySpin),
+                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+                Claim::VerticalMomentum,
+                Claim::Rigid,
+                Claim::Evaluations(2),
+                Claim::Equivariant,
+            ],
+        }
+    }
     const STATES: usize = 1;
 
-    fn step<M: Model>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Model>(&self, model: &M, Step { t, h, from, to, work }: Step<M>) -> Result<(), Broken> {
         let [moved] = work.buffers();
         let Motion { spin, velocity, .. } = model.rates(t, from)?.motion();
         model.advance(from, h, &M::Rates::of(Motion { spin, velocity, ..Motion::default() }), moved); // (1)

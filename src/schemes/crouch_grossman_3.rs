@@ -9,7 +9,8 @@
 //!
 //! Source: crouch1993, with the coefficients printed in hairer2006, section IV.8.
 
-use super::{Card, Scheme, Workspace};
+use super::{Card, Scheme, Step};
+use crate::arithmetic::Real;
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model};
 
@@ -18,46 +19,41 @@ use crate::model::{Broken, Model};
 pub struct CrouchGrossman3;
 
 impl Scheme for CrouchGrossman3 {
-    const CARD: Card = Card {
-        name: "crouch-grossman-3",
-        title: "Crouch and Grossman's method of third order",
-        family: "Lie group",
-        source: "crouch1993; hairer2006",
-        claims: &[
-            Claim::Order(3),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::Exact(Quantity::Orientation, When::SteadySpin),
-            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::VerticalMomentum,
-            Claim::FlipTimes,
-            Claim::Rigid,
-            Claim::Evaluations(3),
-            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
-            Claim::Equivariant,
-        ],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "crouch-grossman-3",
+            title: "Crouch and Grossman's method of third order",
+            family: "Lie group",
+            source: "crouch1993; hairer2006",
+            claims: &[
+                Claim::Order(3),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::ConstantForce),
+                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+                Claim::Exact(Quantity::Orientation, When::SteadySpin),
+                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+                Claim::VerticalMomentum,
+                Claim::FlipTimes,
+                Claim::Rigid,
+                Claim::Evaluations(3),
+                Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
+                Claim::Equivariant,
+            ],
+        }
+    }
     const STATES: usize = 2;
 
-    fn step<M: Model>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Model>(&self, model: &M, Step { t, h, from, to, work }: Step<M>) -> Result<(), Broken> {
         let [first, second] = work.buffers();
         let k1 = model.rates(t, from)?;
-        model.advance(from, 3.0 / 4.0 * h, &k1, second); // (1)
-        let k2 = model.rates(t + 3.0 / 4.0 * h, second)?;
-        model.advance(from, 119.0 / 216.0 * h, &k1, first);
-        model.advance(first, 17.0 / 108.0 * h, &k2, second); // (2)
-        let k3 = model.rates(t + 17.0 / 24.0 * h, second)?;
-        model.advance(from, 13.0 / 51.0 * h, &k1, first);
-        model.advance(first, -2.0 / 3.0 * h, &k2, second);
-        model.advance(second, 24.0 / 17.0 * h, &k3, to); // (3)
+        model.advance(from, h * M::Real::ratio(3.0, 4.0), &k1, second); // (1)
+        let k2 = model.rates(t + h * M::Real::ratio(3.0, 4.0), second)?;
+        model.advance(from, h * M::Real::ratio(119.0, 216.0), &k1, first);
+        model.advance(first, h * M::Real::ratio(17.0, 108.0), &k2, second); // (2)
+        let k3 = model.rates(t + h * M::Real::ratio(17.0, 24.0), second)?;
+        model.advance(from, h * M::Real::ratio(13.0, 51.0), &k1, first);
+        model.advance(first, h * M::Real::ratio(-2.0, 3.0), &k2, second);
+        model.advance(second, h * M::Real::ratio(24.0, 17.0), &k3, to); // (3)
         Ok(())
     }
 }

@@ -4,7 +4,7 @@
 //!
 //! Source: peskin2021, steps (1)–(4). First order, with the exact rotation; L constant without torque.
 
-use super::{Card, Scheme, SideBySide, Workspace};
+use super::{Card, Scheme, SideBySide, Step};
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model};
 
@@ -13,37 +13,32 @@ use crate::model::{Broken, Model};
 pub struct Euler;
 
 impl Scheme for Euler {
-    const CARD: Card = Card {
-        name: "euler",
-        title: "Euler-only baseline with exact rotation",
-        family: "the note",
-        source: "peskin2021",
-        claims: &[
-            Claim::Order(1),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::NoForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::Exact(Quantity::Orientation, When::SteadySpin),
-            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::Energy(EnergyOfFreeBody::GrowsSecularly { rate_order: 1 }),
-            Claim::VerticalMomentum,
-            Claim::Rigid,
-            Claim::Evaluations(1),
-            Claim::Equivariant,
-        ],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "euler",
+            title: "Euler-only baseline with exact rotation",
+            family: "the note",
+            source: "peskin2021",
+            claims: &[
+                Claim::Order(1),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::NoForce),
+                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+                Claim::Exact(Quantity::Orientation, When::SteadySpin),
+                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+                Claim::Energy(EnergyOfFreeBody::GrowsSecularly { rate_order: 1 }),
+                Claim::VerticalMomentum,
+                Claim::Rigid,
+                Claim::Evaluations(1),
+                Claim::Equivariant,
+            ],
+        }
+    }
     const SIDE_BY_SIDE: Option<SideBySide> = Some(SideBySide::Euler);
     const STATES: usize = 0;
 
     #[inline(always)]
-    fn step<M: Model>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        _work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Model>(&self, model: &M, Step { t, h, from, to, .. }: Step<M>) -> Result<(), Broken> {
         let k0 = model.rates(t, from)?;
         model.advance(from, h, &k0, to); // (1)–(4)
         Ok(())

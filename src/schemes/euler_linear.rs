@@ -5,7 +5,7 @@
 //!
 //! Source: peskin2021 with (1) linear. First order; the body swells by |Ω|² h/2 of its size a second.
 
-use super::{Card, PointScheme, Workspace};
+use super::{Card, PointScheme, Step};
 use crate::claim::{Claim, Quantity, When};
 use crate::model::{Broken, Pointwise};
 
@@ -14,31 +14,26 @@ use crate::model::{Broken, Pointwise};
 pub struct EulerLinear;
 
 impl PointScheme for EulerLinear {
-    const CARD: Card = Card {
-        name: "euler-linear",
-        title: "Euler's method without rotations",
-        family: "the note, varied",
-        source: "peskin2021",
-        claims: &[
-            Claim::Order(1),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::NoForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::VerticalMomentum,
-            Claim::Evaluations(1),
-            Claim::Equivariant,
-        ],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "euler-linear",
+            title: "Euler's method without rotations",
+            family: "the note, varied",
+            source: "peskin2021",
+            claims: &[
+                Claim::Order(1),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::NoForce),
+                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+                Claim::VerticalMomentum,
+                Claim::Evaluations(1),
+                Claim::Equivariant,
+            ],
+        }
+    }
     const STATES: usize = 0;
 
-    fn step<M: Pointwise>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        _work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Pointwise>(&self, model: &M, Step { t, h, from, to, .. }: Step<M>) -> Result<(), Broken> {
         let k0 = model.rates(t, from)?;
         model.advance_straight(from, h, &k0, from, to); // (1)–(4)
         Ok(())

@@ -8,6 +8,7 @@ use nalgebra::Vector3;
 
 use super::Card;
 use super::splitting::splitting;
+use crate::arithmetic::Real;
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Rotational};
 use crate::rotation::Rotation;
@@ -38,6 +39,10 @@ splitting! {
     }
 }
 
-fn free_turn(rotational: &Rotational, momentum: &Vector3<f64>, h: f64) -> Result<Rotation, Broken> {
+fn free_turn<T: Real>(
+    rotational: &Rotational<T>,
+    momentum: &Vector3<T>,
+    h: T,
+) -> Result<Rotation<T>, Broken> {
     Ok(free_rotor::turn_in(&rotational.moments, momentum, h)) // (1)
 }

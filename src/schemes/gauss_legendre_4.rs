@@ -11,7 +11,10 @@
 //! which the method keeps; L constant without torque.
 
 use super::collocation::{self, Tableau};
-use super::{Card, TurningScheme, Workspace};
+use super::{Card, Step, TurningScheme};
+use nalgebra::ComplexField;
+
+use crate::arithmetic::Real;
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 
@@ -20,42 +23,41 @@ use crate::model::{Broken, Turning};
 pub struct GaussLegendre4;
 
 impl TurningScheme for GaussLegendre4 {
-    const CARD: Card = Card {
-        name: "gauss-legendre-4",
-        title: "Gauss-Legendre, two stages, on quaternion and L",
-        family: "geometric",
-        source: "butcher1964",
-        claims: &[
-            Claim::Order(4),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::VerticalMomentum,
-            Claim::Rigid,
-            Claim::Energy(EnergyOfFreeBody::Bounded),
-            Claim::Reversible,
-            Claim::Equivariant,
-            Claim::Solves(1),
-        ],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "gauss-legendre-4",
+            title: "Gauss-Legendre, two stages, on quaternion and L",
+            family: "geometric",
+            source: "butcher1964",
+            claims: &[
+                Claim::Order(4),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::ConstantForce),
+                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+                Claim::VerticalMomentum,
+                Claim::Rigid,
+                Claim::Energy(EnergyOfFreeBody::Bounded),
+                Claim::Reversible,
+                Claim::Equivariant,
+                Claim::Solves(1),
+            ],
+        }
+    }
     const STATES: usize = 3;
     const TAKES_VELOCITY_FORCES: bool = true;
     const TAKES_RODS: bool = true;
 
-    fn step<M: Turning>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
-        let root = 3f64.sqrt();
+    fn step<M: Turning>(&self, model: &M, step: Step<M>) -> Result<(), Broken> {
+        let root = M::Real::of(3.0).sqrt();
+        let part = M::Real::ratio;
         let tableau = Tableau {
-            matrix: [[1.0 / 4.0, 1.0 / 4.0 - root / 6.0], [1.0 / 4.0 + root / 6.0, 1.0 / 4.0]],
-            weights: [1.0 / 2.0; 2],
-            nodes: [1.0 / 2.0 - root / 6.0, 1.0 / 2.0 + root / 6.0],
+            matrix: [
+                [part(1.0, 4.0), part(1.0, 4.0) - root / 6.0],
+                [part(1.0, 4.0) + root / 6.0, part(1.0, 4.0)],
+            ],
+            weights: [part(1.0, 2.0); 2],
+            nodes: [part(1.0, 2.0) - root / 6.0, part(1.0, 2.0) + root / 6.0],
         };
-        collocation::step(&tableau, (t, h), model, from, to, work) // (1), (2)
+        collocation::step(&tableau, model, step) // (1), (2)
     }
 }

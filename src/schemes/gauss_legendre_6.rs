@@ -12,7 +12,10 @@
 //! which the method keeps; L constant without torque.
 
 use super::collocation::{self, Tableau};
-use super::{Card, TurningScheme, Workspace};
+use super::{Card, Step, TurningScheme};
+use nalgebra::ComplexField;
+
+use crate::arithmetic::Real;
 use crate::claim::{Claim, Quantity, When};
 use crate::model::{Broken, Turning};
 
@@ -21,45 +24,41 @@ use crate::model::{Broken, Turning};
 pub struct GaussLegendre6;
 
 impl TurningScheme for GaussLegendre6 {
-    const CARD: Card = Card {
-        name: "gauss-legendre-6",
-        title: "Gauss-Legendre, three stages, on quaternion and L",
-        family: "geometric",
-        source: "butcher1964",
-        claims: &[
-            Claim::Order(6),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::VerticalMomentum,
-            Claim::Rigid,
-            Claim::Reversible,
-            Claim::Equivariant,
-            Claim::Solves(1),
-        ],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "gauss-legendre-6",
+            title: "Gauss-Legendre, three stages, on quaternion and L",
+            family: "geometric",
+            source: "butcher1964",
+            claims: &[
+                Claim::Order(6),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::ConstantForce),
+                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+                Claim::VerticalMomentum,
+                Claim::Rigid,
+                Claim::Reversible,
+                Claim::Equivariant,
+                Claim::Solves(1),
+            ],
+        }
+    }
     const STATES: usize = 4;
     const TAKES_VELOCITY_FORCES: bool = true;
     const TAKES_RODS: bool = true;
 
-    fn step<M: Turning>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
-        let root = 15f64.sqrt();
+    fn step<M: Turning>(&self, model: &M, step: Step<M>) -> Result<(), Broken> {
+        let root = M::Real::of(15.0).sqrt();
+        let part = M::Real::ratio;
         let tableau = Tableau {
             matrix: [
-                [5.0 / 36.0, 2.0 / 9.0 - root / 15.0, 5.0 / 36.0 - root / 30.0],
-                [5.0 / 36.0 + root / 24.0, 2.0 / 9.0, 5.0 / 36.0 - root / 24.0],
-                [5.0 / 36.0 + root / 30.0, 2.0 / 9.0 + root / 15.0, 5.0 / 36.0],
+                [part(5.0, 36.0), part(2.0, 9.0) - root / 15.0, part(5.0, 36.0) - root / 30.0],
+                [part(5.0, 36.0) + root / 24.0, part(2.0, 9.0), part(5.0, 36.0) - root / 24.0],
+                [part(5.0, 36.0) + root / 30.0, part(2.0, 9.0) + root / 15.0, part(5.0, 36.0)],
             ],
-            weights: [5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0],
-            nodes: [1.0 / 2.0 - root / 10.0, 1.0 / 2.0, 1.0 / 2.0 + root / 10.0],
+            weights: [part(5.0, 18.0), part(4.0, 9.0), part(5.0, 18.0)],
+            nodes: [part(1.0, 2.0) - root / 10.0, part(1.0, 2.0), part(1.0, 2.0) + root / 10.0],
         };
-        collocation::step(&tableau, (t, h), model, from, to, work) // (1), (2)
+        collocation::step(&tableau, model, step) // (1), (2)
     }
 }

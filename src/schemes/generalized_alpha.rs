@@ -15,53 +15,61 @@ use nalgebra::Vector3;
 
 use super::accelerations::Accelerations;
 use super::iteration::until_settled;
-use super::{Card, TurningScheme, Workspace};
+use super::{Card, Step, TurningScheme};
+use crate::arithmetic::Real;
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Motion, Rates, Turning};
 use crate::rotation::{renormalized, turn};
 
 /// The generalised-α method on the rotation group.
 #[derive(Clone, Copy, Debug)]
-pub struct GeneralizedAlpha;
+pub struct GeneralizedAlpha {
+    /// ρ, the spectral radius at infinite frequency.
+    radius: f64,
+    name: &'static str,
+    title: &'static str,
+}
 
-/// ρ, the spectral radius at infinite frequency.
-const RADIUS: f64 = 0.5;
-const ALPHA_M: f64 = (2.0 * RADIUS - 1.0) / (RADIUS + 1.0); // (4)
-const ALPHA_F: f64 = RADIUS / (RADIUS + 1.0);
-const GAMMA: f64 = 0.5 + ALPHA_F - ALPHA_M;
-const BETA: f64 = 0.25 * (GAMMA + 0.5) * (GAMMA + 0.5);
-
-impl TurningScheme for GeneralizedAlpha {
-    const CARD: Card = Card {
+impl GeneralizedAlpha {
+    /// ρ = ½.
+    pub const HALF: GeneralizedAlpha = GeneralizedAlpha {
+        radius: 0.5,
         name: "generalized-alpha",
         title: "generalized-alpha on the rotation group, spectral radius 1/2",
-        family: "Lie group",
-        source: "chung1993; bruls2010",
-        claims: &[
-            Claim::Order(2),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Exact(Quantity::Orientation, When::SteadySpin),
-            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
-            Claim::Rigid,
-            Claim::Equivariant,
-            Claim::Solves(1),
-        ],
     };
+}
+
+impl TurningScheme for GeneralizedAlpha {
+    fn card(&self) -> Card {
+        Card {
+            name: self.name,
+            title: self.title,
+            family: "Lie group",
+            source: "chung1993; bruls2010",
+            claims: &[
+                Claim::Order(2),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::ConstantForce),
+                Claim::Exact(Quantity::Orientation, When::SteadySpin),
+                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+                Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
+                Claim::Rigid,
+                Claim::Equivariant,
+                Claim::Solves(1),
+            ],
+        }
+    }
     const STATES: usize = 1;
     const TAKES_VELOCITY_FORCES: bool = true;
     const TAKES_RODS: bool = false;
     const KEEPS_MOMENTUM: bool = false;
 
-    fn step<M: Turning>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Turning>(&self, model: &M, Step { t, h, from, to, work }: Step<M>) -> Result<(), Broken> {
+        let radius = M::Real::of(self.radius);
+        let (alpha_m, alpha_f) = ((radius * 2.0 - 1.0) / (radius + 1.0), radius / (radius + 1.0)); // (4)
+        let gamma = alpha_f + 0.5 - alpha_m; // (4)
+        let beta = (gamma + 0.5) * 0.25 * (gamma + 0.5); // (4)
+        let one = M::Real::of(1.0);
         let body = model.rotational();
         let (attitude0, momentum0) = (model.attitude(from), model.momentum(from));
         let v0 = body.inverse_moments.component_mul(&attitude0.inverse_transform_vector(&momentum0));
@@ -73,7 +81,7 @@ impl TurningScheme for GeneralizedAlpha {
         let mut a1 = a0;
         to.clone_from(from);
         until_settled(model, || {
-            let (mean, change) = (a0.mixed(0.5 - BETA, &a1, BETA), a0.mixed(1.0 - GAMMA, &a1, GAMMA));
+            let (mean, change) = (a0.mixed(-beta + 0.5, &a1, beta), a0.mixed(one - gamma, &a1, gamma));
             std::mem::swap(to, before);
             let rates = M::Rates::of(Motion {
                 spin: Vector3::zeros(),
@@ -86,8 +94,8 @@ impl TurningScheme for GeneralizedAlpha {
             let momentum = attitude * body.moments.component_mul(&(v0 + change.spin * h)); // (2)
             model.place(to, attitude, momentum);
             let true1 = Accelerations::of(model, &model.rates(t + h, to)?, &attitude, &momentum);
-            let right = true1.mixed(1.0 - ALPHA_F, &true0, ALPHA_F);
-            a1 = right.mixed(1.0 / (1.0 - ALPHA_M), &a0, -ALPHA_M / (1.0 - ALPHA_M)); // (3)
+            let right = true1.mixed(one - alpha_f, &true0, alpha_f);
+            a1 = right.mixed(one / (one - alpha_m), &a0, -alpha_m / (one - alpha_m)); // (3)
             Ok(model.apart(to, before))
         })?;
         work.history.push(a1.kept());

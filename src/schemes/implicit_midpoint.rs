@@ -13,7 +13,8 @@
 
 use super::cayley::cayley;
 use super::iteration::until_settled;
-use super::{Card, TurningScheme, Workspace};
+use super::{Card, Step, TurningScheme};
+use crate::arithmetic::Real;
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 use crate::rotation::{Rotation, renormalized};
@@ -23,37 +24,32 @@ use crate::rotation::{Rotation, renormalized};
 pub struct ImplicitMidpoint;
 
 impl TurningScheme for ImplicitMidpoint {
-    const CARD: Card = Card {
-        name: "implicit-midpoint",
-        title: "implicit midpoint rule with the Cayley map",
-        family: "geometric",
-        source: "austin1993",
-        claims: &[
-            Claim::Order(2),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::FlipTimes,
-            Claim::Rigid,
-            Claim::Energy(EnergyOfFreeBody::Constant),
-            Claim::Reversible,
-            Claim::Equivariant,
-            Claim::Solves(1),
-        ],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "implicit-midpoint",
+            title: "implicit midpoint rule with the Cayley map",
+            family: "geometric",
+            source: "austin1993",
+            claims: &[
+                Claim::Order(2),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::ConstantForce),
+                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+                Claim::FlipTimes,
+                Claim::Rigid,
+                Claim::Energy(EnergyOfFreeBody::Constant),
+                Claim::Reversible,
+                Claim::Equivariant,
+                Claim::Solves(1),
+            ],
+        }
+    }
     const STATES: usize = 2;
     const TAKES_VELOCITY_FORCES: bool = true;
     const TAKES_RODS: bool = true;
 
-    fn step<M: Turning>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Turning>(&self, model: &M, Step { t, h, from, to, work }: Step<M>) -> Result<(), Broken> {
         let (first, second) = work.states.split_at_mut(1);
         let (half, before) = (&mut first[0], &mut second[0]);
         let body = model.rotational();
@@ -63,7 +59,7 @@ impl TurningScheme for ImplicitMidpoint {
         let mut rates = model.rates(t, from)?;
         before.clone_from(from);
         until_settled(model, || {
-            let middle = (m0 + m1) / 2.0; // (1)
+            let middle = (m0 + m1) / M::Real::of(2.0); // (1)
             let spin = body.inverse_moments.component_mul(&middle);
             attitude1 = renormalized(attitude0 * cayley(&(spin * h))); // (2)
             let halfway = Rotation::new_normalize(*attitude0 + *attitude1);

@@ -1,38 +1,50 @@
 //! The iteration that implicit schemes share: repeated until nothing changes but rounding.
 
+use crate::arithmetic::Real;
 use crate::model::{Broken, Model};
 
 /// Change of an iterate, relative, that is rounding.
-const ROUNDING: f64 = 4.0 * f64::EPSILON;
+fn rounding<T: Real>() -> f64 {
+    4.0 * T::UNIT
+}
+
 /// Change that must be reached; below it the iteration goes on for as long as it improves.
-const TOLERANCE: f64 = 1e-12;
+pub(super) fn tolerance<T: Real>() -> f64 {
+    1e-12 * (T::UNIT / f64::EPSILON)
+}
+
 /// Iterations without a smaller change than any before that end it. One or two are no end: changes of an iterate that
 /// circles its limit fall by turns.
 const STALE: u32 = 3;
-/// Iterations at most.
-const MOST: u32 = 100;
 
-/// Repeats `improve`, which returns how far it has moved its iterate, until that is rounding, or is below 1e-12
-/// and falls no more. The model is told, so that a harness can count the work.
+/// Iterations at most: a hundred in f64, and in proportion to the digits elsewhere.
+fn most<T: Real>() -> u32 {
+    (100.0 * T::UNIT.log2() / f64::EPSILON.log2()) as u32
+}
+
+/// Repeats `improve`, which returns how far it has moved its iterate, until that is rounding, or is below the tolerance
+/// and falls no more. The model counts the iterations.
 ///
 /// # Errors
 /// [`Broken::NoConvergence`], or what `improve` cannot do.
 #[inline]
 pub(super) fn until_settled<M: Model>(
     model: &M,
-    mut improve: impl FnMut() -> Result<f64, Broken>,
+    mut improve: impl FnMut() -> Result<M::Real, Broken>,
 ) -> Result<(), Broken> {
+    let (rounding, tolerance) = (rounding::<M::Real>(), tolerance::<M::Real>());
     let (mut smallest, mut stale, mut residual) = (f64::INFINITY, 0, f64::INFINITY);
-    for iteration in 1..=MOST {
-        let change = improve()?;
+    let most = most::<M::Real>();
+    for iteration in 1..=most {
+        let change = improve()?.to_f64();
         stale = if change < smallest { 0 } else { stale + 1 };
         (smallest, residual) = (smallest.min(change), change);
-        if change <= ROUNDING || (change <= TOLERANCE && stale >= STALE) {
+        if change <= rounding || (change <= tolerance && stale >= STALE) {
             model.solved(iteration);
             return Ok(());
         }
     }
-    Err(Broken::NoConvergence { iterations: MOST, residual, tolerance: TOLERANCE })
+    Err(Broken::NoConvergence { iterations: most, residual, tolerance })
 }
 
 #[cfg(test)]
@@ -52,9 +64,9 @@ mod tests {
 
     #[test]
     fn an_iteration_ends_at_rounding_or_where_three_small_changes_have_not_improved() {
-        assert_eq!(improved(&[1.0, 1e-9, ROUNDING]), (3, Ok(())));
+        assert_eq!(improved(&[1.0, 1e-9, rounding::<f64>()]), (3, Ok(())));
         assert_eq!(improved(&[1.0, 1e-13]), (5, Ok(())));
-        assert_eq!(improved(&[1.0, TOLERANCE]), (5, Ok(())));
+        assert_eq!(improved(&[1.0, tolerance::<f64>()]), (5, Ok(())));
         // Two that are larger are no end where the next is smaller again.
         assert_eq!(improved(&[1e-13, 3e-13, 2e-13, 9e-14, 2e-13]), (7, Ok(())));
         assert_eq!(improved(&[1e-14, 1.0, 1.0, 1.0, 1e-13]), (5, Ok(())));
@@ -62,8 +74,8 @@ mod tests {
 
     #[test]
     fn a_change_that_stays_above_the_tolerance_is_no_convergence() {
-        for residual in [1e-3, TOLERANCE.next_up()] {
-            let expected = Err(Broken::NoConvergence { iterations: MOST, residual, tolerance: TOLERANCE });
+        for residual in [1e-3, tolerance::<f64>().next_up()] {
+            let expected = Err(Broken::NoConvergence { iterations: 100, residual, tolerance: 1e-12 });
             assert_eq!(improved(&[1.0, residual]), (100, expected));
         }
     }

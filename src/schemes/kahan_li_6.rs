@@ -5,22 +5,13 @@
 //! Source: kahan1997. Order 6, symplectic, symmetric. The digits are checked by these sums and by the order.
 
 use super::Card;
-use super::composed::{Composed, Composition};
-use super::strang_rotations::StrangRotations;
+use super::composed::composition;
+use crate::arithmetic::Real;
 use crate::claim::{Claim, Quantity, When};
 
-/// Kahan and Li's nine steps.
-pub type KahanLi6 = Composed<NineSteps>;
-
-/// Its coefficients.
-#[derive(Clone, Copy, Debug)]
-pub struct NineSteps;
-
-impl Composition for NineSteps {
-    type Base = StrangRotations;
-    type Half = [f64; 5];
-
-    const CARD: Card = Card {
+composition! {
+    /// Kahan and Li's nine steps.
+    KahanLi6, Card {
         name: "kahan-li-6",
         title: "Kahan and Li's nine steps of strang-rotations, order 6",
         family: "geometric",
@@ -37,16 +28,17 @@ impl Composition for NineSteps {
             Claim::Symplectic,
             Claim::Equivariant,
         ],
-    };
-
-    #[expect(clippy::excessive_precision, reason = "the digits as printed")]
-    fn half() -> [f64; 5] {
-        [
-            0.392_161_444_007_314_139_28,
-            0.332_599_136_789_359_438_60,
-            -0.706_246_172_557_639_359_81,
-            0.082_213_596_293_550_800_23,
-            0.798_543_990_934_829_963_40,
-        ] // (1)
     }
+}
+
+/// γ₁ … as printed; each is the f64 nearest to it and the rest.
+#[expect(clippy::excessive_precision, reason = "the digits as printed")]
+pub(super) fn half<T: Real>() -> [T; 5] {
+    [
+        T::constant(0.392_161_444_007_314_139_28, 1.98268441460107e-17),
+        T::constant(0.332_599_136_789_359_438_60, 9.999068221580819e-18),
+        T::constant(-0.706_246_172_557_639_359_81, -3.081729314915952e-17),
+        T::constant(0.082_213_596_293_550_800_23, 5.549728434915305e-18),
+        T::constant(0.798_543_990_934_829_963_40, -9.116695306694601e-18),
+    ] // (1)
 }

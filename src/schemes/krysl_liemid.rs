@@ -8,7 +8,7 @@
 //! Ψ = h I⁻¹ π½. Source: krysl2005. Second order; L constant without torque.
 
 use super::iteration::until_settled;
-use super::{Card, TurningScheme, Workspace};
+use super::{Card, Step, TurningScheme};
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 
@@ -17,39 +17,34 @@ use crate::model::{Broken, Turning};
 pub struct KryslLiemid;
 
 impl TurningScheme for KryslLiemid {
-    const CARD: Card = Card {
-        name: "krysl-liemid",
-        title: "midpoint Lie algorithm (LIEMID)",
-        family: "Lie group",
-        source: "krysl2005",
-        claims: &[
-            Claim::Order(2),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::Exact(Quantity::Orientation, When::SteadySpin),
-            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::VerticalMomentum,
-            Claim::FlipTimes,
-            Claim::Rigid,
-            Claim::Energy(EnergyOfFreeBody::Bounded),
-            Claim::Reversible,
-            Claim::Equivariant,
-            Claim::Solves(1),
-        ],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "krysl-liemid",
+            title: "midpoint Lie algorithm (LIEMID)",
+            family: "Lie group",
+            source: "krysl2005",
+            claims: &[
+                Claim::Order(2),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::ConstantForce),
+                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+                Claim::Exact(Quantity::Orientation, When::SteadySpin),
+                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+                Claim::VerticalMomentum,
+                Claim::FlipTimes,
+                Claim::Rigid,
+                Claim::Energy(EnergyOfFreeBody::Bounded),
+                Claim::Reversible,
+                Claim::Equivariant,
+                Claim::Solves(1),
+            ],
+        }
+    }
     const STATES: usize = 2;
     const TAKES_VELOCITY_FORCES: bool = true;
     const TAKES_RODS: bool = true;
 
-    fn step<M: Turning>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Turning>(&self, model: &M, Step { t, h, from, to, work }: Step<M>) -> Result<(), Broken> {
         let (first, second) = work.states.split_at_mut(1);
         let (half, before) = (&mut first[0], &mut second[0]);
         let mut middle = model.rates(t, from)?;

@@ -16,7 +16,8 @@
 use nalgebra::Vector3;
 
 use super::iteration::until_settled;
-use super::{Card, TurningScheme, Workspace};
+use super::{Card, Step, TurningScheme};
+use crate::arithmetic::Real;
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 use crate::rotation::{self, Rotation, renormalized, turn};
@@ -26,40 +27,35 @@ use crate::rotation::{self, Rotation, renormalized, turn};
 pub struct KryslLiemidEa;
 
 impl TurningScheme for KryslLiemidEa {
-    const CARD: Card = Card {
-        name: "krysl-liemid-ea",
-        title: "midpoint Lie algorithm, explicit in the forces, reconstructed",
-        family: "Lie group",
-        source: "krysl2004; krysl2005",
-        claims: &[
-            Claim::Order(2),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::Exact(Quantity::Orientation, When::SteadySpin),
-            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::VerticalMomentum,
-            Claim::FlipTimes,
-            Claim::Rigid,
-            Claim::Evaluations(2),
-            Claim::Energy(EnergyOfFreeBody::Bounded),
-            Claim::Reversible,
-            Claim::Equivariant,
-            Claim::Solves(2),
-        ],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "krysl-liemid-ea",
+            title: "midpoint Lie algorithm, explicit in the forces, reconstructed",
+            family: "Lie group",
+            source: "krysl2004; krysl2005",
+            claims: &[
+                Claim::Order(2),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::ConstantForce),
+                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+                Claim::Exact(Quantity::Orientation, When::SteadySpin),
+                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+                Claim::VerticalMomentum,
+                Claim::FlipTimes,
+                Claim::Rigid,
+                Claim::Evaluations(2),
+                Claim::Energy(EnergyOfFreeBody::Bounded),
+                Claim::Reversible,
+                Claim::Equivariant,
+                Claim::Solves(2),
+            ],
+        }
+    }
     const STATES: usize = 0;
     const TAKES_VELOCITY_FORCES: bool = false;
     const TAKES_RODS: bool = true;
 
-    fn step<M: Turning>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        _work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Turning>(&self, model: &M, Step { t, h, from, to, .. }: Step<M>) -> Result<(), Broken> {
         let k0 = model.rates(t, from)?;
         to.clone_from(from);
         model.kick(to, h / 2.0, &k0); // (1)
@@ -75,12 +71,17 @@ impl TurningScheme for KryslLiemidEa {
 }
 
 /// The attitude of a free body after a time `s`, by (3).
-fn free_midpoint<M: Turning>(model: &M, s: f64, q: &Rotation, l: &Vector3<f64>) -> Result<Rotation, Broken> {
+fn free_midpoint<M: Turning>(
+    model: &M,
+    s: M::Real,
+    q: &Rotation<M::Real>,
+    l: &Vector3<M::Real>,
+) -> Result<Rotation<M::Real>, Broken> {
     let body = model.rotational();
     let mut angle = body.spin(q, l) * s;
     until_settled(model, || {
         let last = angle;
-        angle = body.spin(&(turn(&(last / 2.0)) * q), l) * s;
+        angle = body.spin(&(turn(&(last / M::Real::of(2.0))) * q), l) * s;
         Ok(rotation::length(&(angle - last)))
     })?;
     Ok(renormalized(turn(&angle) * q))

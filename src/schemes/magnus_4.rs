@@ -11,7 +11,8 @@
 //!
 //! Source: iserles1999 for the expansion; hairer2006, section IV.7.
 
-use super::{Card, Scheme, Workspace};
+use super::{Card, Scheme, Step};
+use crate::arithmetic::Real;
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model, Motion, Rates};
 
@@ -22,37 +23,32 @@ pub struct Magnus4;
 const SWEEPS: usize = 3;
 
 impl Scheme for Magnus4 {
-    const CARD: Card = Card {
-        name: "magnus-4",
-        title: "Magnus's expansion on two Gauss points, three sweeps",
-        family: "Lie group",
-        source: "iserles1999; hairer2006",
-        claims: &[
-            Claim::Order(4),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::Exact(Quantity::Orientation, When::SteadySpin),
-            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::VerticalMomentum,
-            Claim::Rigid,
-            Claim::Evaluations(7),
-            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
-            Claim::Equivariant,
-        ],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "magnus-4",
+            title: "Magnus's expansion on two Gauss points, three sweeps",
+            family: "Lie group",
+            source: "iserles1999; hairer2006",
+            claims: &[
+                Claim::Order(4),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::ConstantForce),
+                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+                Claim::Exact(Quantity::Orientation, When::SteadySpin),
+                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+                Claim::VerticalMomentum,
+                Claim::Rigid,
+                Claim::Evaluations(7),
+                Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
+                Claim::Equivariant,
+            ],
+        }
+    }
     const STATES: usize = 1;
 
-    fn step<M: Model>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Model>(&self, model: &M, Step { t, h, from, to, work }: Step<M>) -> Result<(), Broken> {
         let [stage] = work.buffers();
-        let [c1, c2] = gauss_points();
+        let [c1, c2] = gauss_points::<M::Real>();
         let k0 = model.rates(t, from)?; // (0)
         let (mut k1, mut k2) = (k0, k0);
         for _ in 0..SWEEPS {
@@ -62,20 +58,21 @@ impl Scheme for Magnus4 {
             k2 = model.rates(t + c2 * h, stage)?; // (2)
             k1 = first;
         }
-        model.advance(from, h, &expanded(1.0, h, &k1, &k2), to); // (3)
+        model.advance(from, h, &expanded(M::Real::of(1.0), h, &k1, &k2), to); // (3)
         Ok(())
     }
 }
 
-fn gauss_points() -> [f64; 2] {
-    [0.5 - 3f64.sqrt() / 6.0, 0.5 + 3f64.sqrt() / 6.0]
+fn gauss_points<T: Real>() -> [T; 2] {
+    let part = T::of(3.0).sqrt() / 6.0;
+    [T::of(0.5) - part, part + 0.5]
 }
 
 /// The rates of (1), to be held for h.
-fn expanded<R: Rates>(c: f64, h: f64, k1: &R, k2: &R) -> R {
-    let [c1, c2] = gauss_points();
-    let root = 3f64.sqrt();
-    let mean = (*k1 * (root * c * (c2 - c / 2.0)) + *k2 * (root * c * (c / 2.0 - c1))).motion();
+fn expanded<T: Real, R: Rates<T>>(c: T, h: T, k1: &R, k2: &R) -> R {
+    let [c1, c2] = gauss_points::<T>();
+    let root = T::of(3.0).sqrt();
+    let mean = (k1.scaled(root * c * (c2 - c / 2.0)) + k2.scaled(root * c * (c / 2.0 - c1))).motion();
     let commutator = k2.motion().spin.cross(&k1.motion().spin) * (c * c * c * root / 12.0 * h);
     R::of(Motion { spin: mean.spin + commutator, ..mean })
 }

@@ -6,7 +6,6 @@
 
 // What schemes share.
 mod accelerations;
-mod adams_bashforth;
 #[cfg(feature = "solvers")]
 pub(crate) mod adaptive;
 mod card;
@@ -42,10 +41,6 @@ mod no_squish;
 mod rattle;
 mod omelyan_leapfrog;
 mod moser_veselov;
-mod moser_veselov_4;
-mod moser_veselov_6;
-mod moser_veselov_8;
-mod moser_veselov_10;
 mod yoshida_4;
 mod suzuki_4;
 mod kahan_li_6;
@@ -66,11 +61,7 @@ mod generalized_alpha;
 mod gauss_legendre_4;
 mod gauss_legendre_6;
 mod cf4;
-mod adams_bashforth_2;
-mod adams_bashforth_3;
-mod adams_bashforth_4;
-mod adams_bashforth_3_cold;
-mod adams_bashforth_4_cold;
+mod adams_bashforth;
 mod euler_linear;
 mod rk2_linear;
 mod course_code_euler;
@@ -81,7 +72,6 @@ pub use crate::claim::{Claim, EnergyOfFreeBody, When};
 #[doc(no_inline)]
 pub use crate::model::Quantity;
 pub use card::Card;
-pub(crate) use substepped::Substepped;
 
 /// Rates of earlier steps that are kept without a further allocation.
 const HISTORY: usize = 8;
@@ -116,6 +106,20 @@ impl<M: Model> Workspace<M> {
     }
 }
 
+/// A step from `t` to `t + h`, and the buffers that it works in.
+pub struct Step<'a, M: Model> {
+    /// t [s].
+    pub t: M::Real,
+    /// h [s].
+    pub h: M::Real,
+    /// The state at t.
+    pub from: &'a M::State,
+    /// The state at t + h, to be written.
+    pub to: &'a mut M::State,
+    /// Buffers and history.
+    pub work: &'a mut Workspace<M>,
+}
+
 #[doc(hidden)]
 /// Schemes whose step on a free body is also written for many bodies side by side (`ensemble`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -137,33 +141,26 @@ impl SideBySide {
 }
 
 /// A time-stepping scheme for every model.
-pub trait Scheme: 'static {
+pub trait Scheme: Clone + Send + Sync + 'static {
     /// What it says of itself.
-    const CARD: Card;
+    fn card(&self) -> Card;
     #[doc(hidden)]
     /// Its form for many bodies side by side, if it has one.
     const SIDE_BY_SIDE: Option<SideBySide> = None;
     /// States that a step needs besides those that it goes from and to.
     const STATES: usize;
 
-    /// One step from `t` to `t + h`: reads `from`, writes `to`.
+    /// One step: reads `from`, writes `to`.
     ///
     /// # Errors
     /// The step cannot be made.
-    fn step<M: Model>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken>;
+    fn step<M: Model>(&self, model: &M, step: Step<M>) -> Result<(), Broken>;
 }
 
 /// A scheme that lives in body axes: for every model but the mass points.
-pub trait TurningScheme: 'static {
+pub trait TurningScheme: Clone + Send + Sync + 'static {
     /// What it says of itself.
-    const CARD: Card;
+    fn card(&self) -> Card;
     /// States that a step needs besides those that it goes from and to.
     const STATES: usize;
     /// Whether forces may depend on velocities.
@@ -175,39 +172,25 @@ pub trait TurningScheme: 'static {
     /// Whether L is constant without torque, so that a model may leave it out of the state.
     const KEEPS_MOMENTUM: bool = true;
 
-    /// One step from `t` to `t + h`: reads `from`, writes `to`.
+    /// One step: reads `from`, writes `to`.
     ///
     /// # Errors
     /// The step cannot be made.
-    fn step<M: Turning>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken>;
+    fn step<M: Turning>(&self, model: &M, step: Step<M>) -> Result<(), Broken>;
 }
 
 /// A scheme that asks more of the mass points than to be turned: for them alone.
-pub trait PointScheme: 'static {
+pub trait PointScheme: Clone + Send + Sync + 'static {
     /// What it says of itself.
-    const CARD: Card;
+    fn card(&self) -> Card;
     /// States that a step needs besides those that it goes from and to.
     const STATES: usize;
 
-    /// One step from `t` to `t + h`: reads `from`, writes `to`.
+    /// One step: reads `from`, writes `to`.
     ///
     /// # Errors
     /// The step cannot be made.
-    fn step<M: Pointwise>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken>;
+    fn step<M: Pointwise>(&self, model: &M, step: Step<M>) -> Result<(), Broken>;
 }
 
 /// Something to be done with a scheme whose type is known.
@@ -215,17 +198,17 @@ pub(crate) trait Visitor {
     /// What comes of it.
     type Output;
     /// Does it with a scheme for every model.
-    fn visit<S: Scheme>(&self) -> Self::Output;
+    fn visit<S: Scheme>(&self, scheme: S) -> Self::Output;
     /// Does it with a scheme in body axes.
-    fn visit_turning<S: TurningScheme>(&self) -> Self::Output;
+    fn visit_turning<S: TurningScheme>(&self, scheme: S) -> Self::Output;
     /// Does it with a scheme for the mass points alone.
-    fn visit_points<S: PointScheme>(&self) -> Self::Output;
+    fn visit_points<S: PointScheme>(&self, scheme: S) -> Self::Output;
 }
 
 macro_rules! list {
     (
         any: $($module:ident::$scheme:ident),* ;
-        turning: $($turning_module:ident::$turning:ident),* ;
+        turning: $($turning_module:ident::$turning:ident $([$($parameter:ident),*])?),* ;
         points: $($points_module:ident::$points:ident),* ;
     ) => {
         $(pub use $module::$scheme;)*
@@ -234,12 +217,22 @@ macro_rules! list {
 
         /// Calls the visitor with every scheme, in the order of the list.
         pub(crate) fn visit_all<V: Visitor>(visitor: &V) -> Vec<V::Output> {
-            vec![
-                $(visitor.visit::<$scheme>(),)*
-                $(visitor.visit_turning::<$turning>(),)*
-                $(visitor.visit_points::<$points>(),)*
-            ]
+            let mut all = Vec::new();
+            $(all.push(visitor.visit($scheme));)*
+            $(turning!(all, visitor, $turning $([$($parameter),*])?);)*
+            $(all.push(visitor.visit_points($points));)*
+            all
         }
+    };
+}
+
+/// A scheme, or its values with these parameters.
+macro_rules! turning {
+    ($all:ident, $visitor:ident, $scheme:ident) => {
+        $all.push($visitor.visit_turning($scheme));
+    };
+    ($all:ident, $visitor:ident, $scheme:ident [$($parameter:ident),*]) => {
+        $($all.push($visitor.visit_turning($scheme::$parameter));)*
     };
 }
 
@@ -282,11 +275,7 @@ list! {
     no_squish::NoSquish,
     rattle::Rattle,
     omelyan_leapfrog::OmelyanLeapfrog,
-    moser_veselov::MoserVeselov,
-    moser_veselov_4::MoserVeselov4,
-    moser_veselov_6::MoserVeselov6,
-    moser_veselov_8::MoserVeselov8,
-    moser_veselov_10::MoserVeselov10,
+    moser_veselov::MoserVeselov [PLAIN, FOUR, SIX, EIGHT, TEN],
     yoshida_4::Yoshida4,
     suzuki_4::Suzuki4,
     kahan_li_6::KahanLi6,
@@ -303,15 +292,11 @@ list! {
     simo_wong::SimoWong,
     buss_augmented::BussAugmented,
     lie_verlet::LieVerlet,
-    generalized_alpha::GeneralizedAlpha,
+    generalized_alpha::GeneralizedAlpha [HALF],
     gauss_legendre_4::GaussLegendre4,
     gauss_legendre_6::GaussLegendre6,
     cf4::Cf4,
-    adams_bashforth_2::AdamsBashforth2,
-    adams_bashforth_3::AdamsBashforth3,
-    adams_bashforth_4::AdamsBashforth4,
-    adams_bashforth_3_cold::AdamsBashforth3Cold,
-    adams_bashforth_4_cold::AdamsBashforth4Cold;
+    adams_bashforth::AdamsBashforth [TWO, THREE, FOUR, THREE_COLD, FOUR_COLD];
     points:
     euler_linear::EulerLinear,
     rk2_linear::Rk2Linear,

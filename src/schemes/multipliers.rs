@@ -5,13 +5,13 @@
 
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 
+use super::iteration::tolerance;
+use crate::arithmetic::Real;
 use crate::model::{Broken, Rotational};
 use crate::rotation::{Rotation, from_matrix};
 
 /// Newton's iterations allowed.
 const ITERATIONS: u32 = 30;
-/// A deviation from orthogonality that is rounding.
-const ORTHOGONAL: f64 = 8.0 * f64::EPSILON;
 /// Entries of a symmetric matrix.
 const ENTRIES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
 
@@ -19,28 +19,30 @@ const ENTRIES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1
 ///
 /// # Errors
 /// [`Broken::NoConvergence`] where h |m| is too large.
-pub(super) fn constrained_turn(
-    body: &Rotational,
-    momentum: &Vector3<f64>,
-    h: f64,
-) -> Result<Rotation, Broken> {
+pub(super) fn constrained_turn<T: Real>(
+    body: &Rotational<T>,
+    momentum: &Vector3<T>,
+    h: T,
+) -> Result<Rotation<T>, Broken> {
     let second = Vector3::repeat(body.moments.sum() / 2.0) - body.moments;
-    let (d, inverse) = (Matrix3::from_diagonal(&second), Matrix3::from_diagonal(&second.map(|x| 1.0 / x)));
+    let (d, inverse) =
+        (Matrix3::from_diagonal(&second), Matrix3::from_diagonal(&second.map(|x| T::one() / x)));
     let free = d + momentum.cross_matrix() * (h / 2.0);
     let mut multipliers = Matrix3::zeros();
+    let (orthogonal, tolerance) = (8.0 * T::UNIT, tolerance::<T>());
     let mut residual = f64::INFINITY;
     for _ in 0..ITERATIONS {
         let f = (free + multipliers) * inverse; // (2)
         let excess = f.transpose() * f - Matrix3::identity(); // (3)
         let last = residual;
-        residual = excess.amax();
-        if residual <= ORTHOGONAL || (residual <= 1e-12 && residual >= last) {
+        residual = excess.amax().to_f64();
+        if residual <= orthogonal || (residual <= tolerance && residual >= last) {
             return Ok(from_matrix(&f));
         }
         let mut slope = Matrix6::zeros();
         for (column, (i, j)) in ENTRIES.into_iter().enumerate() {
             let mut unit = Matrix3::zeros();
-            (unit[(i, j)], unit[(j, i)]) = (1.0, 1.0);
+            (unit[(i, j)], unit[(j, i)]) = (T::one(), T::one());
             let half = inverse * unit * f;
             slope.set_column(column, &entries(&(half + half.transpose())));
         }
@@ -52,10 +54,10 @@ pub(super) fn constrained_turn(
             }
         }
     }
-    Err(Broken::NoConvergence { iterations: ITERATIONS, residual, tolerance: ORTHOGONAL })
+    Err(Broken::NoConvergence { iterations: ITERATIONS, residual, tolerance: orthogonal })
 }
 
-fn entries(symmetric: &Matrix3<f64>) -> Vector6<f64> {
+fn entries<T: Real>(symmetric: &Matrix3<T>) -> Vector6<T> {
     Vector6::from_iterator(ENTRIES.into_iter().map(|entry| symmetric[entry]))
 }
 

@@ -16,6 +16,7 @@ use nalgebra::{Quaternion, Vector3};
 
 use super::Card;
 use super::splitting::splitting;
+use crate::arithmetic::Real;
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Rotational};
 use crate::rotation::Rotation;
@@ -44,11 +45,15 @@ splitting! {
     }
 }
 
-fn free_turn(rotational: &Rotational, momentum: &Vector3<f64>, h: f64) -> Result<Rotation, Broken> {
+fn free_turn<T: Real>(
+    rotational: &Rotational<T>,
+    momentum: &Vector3<T>,
+    h: T,
+) -> Result<Rotation<T>, Broken> {
     let mut q = Quaternion::identity();
-    let mut p = Quaternion::from_imag(momentum * 2.0);
+    let mut p = Quaternion::from_imag(momentum * T::of(2.0));
     for (k, s) in [(2, h / 2.0), (1, h / 2.0), (0, h), (1, h / 2.0), (2, h / 2.0)] {
-        let unit = Quaternion::from_imag(Vector3::ith(k, 1.0));
+        let unit = Quaternion::from_imag(Vector3::ith(k, T::one()));
         let (permuted_q, permuted_p) = (q * unit, p * unit);
         let zeta = p.dot(&permuted_q) * rotational.inverse_moments[k] / 4.0; // (1)
         let (sine, cosine) = (zeta * s).sin_cos();

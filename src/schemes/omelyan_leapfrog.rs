@@ -14,7 +14,8 @@ use nalgebra::Quaternion;
 
 use super::iteration::until_settled;
 use super::vector_form::quaternion_rate;
-use super::{Card, TurningScheme, Workspace};
+use super::{Card, Step, TurningScheme};
+use crate::arithmetic::Real;
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 use crate::rotation::{Rotation, renormalized};
@@ -24,39 +25,34 @@ use crate::rotation::{Rotation, renormalized};
 pub struct OmelyanLeapfrog;
 
 impl TurningScheme for OmelyanLeapfrog {
-    const CARD: Card = Card {
-        name: "omelyan-leapfrog",
-        title: "Omelyan's leapfrog in angular momenta and quaternions",
-        family: "geometric",
-        source: "omelyan1998",
-        claims: &[
-            Claim::Order(2),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::VerticalMomentum,
-            Claim::FlipTimes,
-            Claim::Rigid,
-            Claim::Evaluations(1),
-            Claim::Energy(EnergyOfFreeBody::Bounded),
-            Claim::Reversible,
-            Claim::Equivariant,
-            Claim::Solves(1),
-        ],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "omelyan-leapfrog",
+            title: "Omelyan's leapfrog in angular momenta and quaternions",
+            family: "geometric",
+            source: "omelyan1998",
+            claims: &[
+                Claim::Order(2),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::ConstantForce),
+                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+                Claim::VerticalMomentum,
+                Claim::FlipTimes,
+                Claim::Rigid,
+                Claim::Evaluations(1),
+                Claim::Energy(EnergyOfFreeBody::Bounded),
+                Claim::Reversible,
+                Claim::Equivariant,
+                Claim::Solves(1),
+            ],
+        }
+    }
     const STATES: usize = 0;
     const TAKES_VELOCITY_FORCES: bool = false;
     const TAKES_RODS: bool = true;
 
-    fn step<M: Turning>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Turning>(&self, model: &M, Step { t, h, from, to, work }: Step<M>) -> Result<(), Broken> {
         let first = match work.history.pop() {
             Some(rates) => rates,
             None => model.rates(t, from)?,
@@ -68,7 +64,7 @@ impl TurningScheme for OmelyanLeapfrog {
         let q0 = model.attitude(from).into_inner();
         let mut q1 = q0;
         until_settled(model, || {
-            let half: Quaternion<f64> = (q0 + q1) * 0.5; // (2)
+            let half: Quaternion<M::Real> = (q0 + q1) * M::Real::of(0.5); // (2)
             let spin = model.rotational().spin(&Rotation::new_normalize(half), &momentum);
             let last = q1;
             q1 = q0 + quaternion_rate(&spin, &half) * h; // (3)

@@ -11,7 +11,8 @@
 
 use nalgebra::Vector3;
 
-use super::{Card, Scheme, Workspace};
+use super::{Card, Scheme, Step};
+use crate::arithmetic::Real;
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model, Motion, Rates};
 use crate::rotation;
@@ -21,34 +22,29 @@ use crate::rotation;
 pub struct PeskinCayley;
 
 impl Scheme for PeskinCayley {
-    const CARD: Card = Card {
-        name: "peskin-cayley",
-        title: "Peskin's scheme with Cayley's map",
-        family: "the note, varied",
-        source: "cayley1846; peskin2021",
-        claims: &[
-            Claim::Order(2),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::VerticalMomentum,
-            Claim::Rigid,
-            Claim::Evaluations(2),
-            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
-            Claim::Equivariant,
-        ],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "peskin-cayley",
+            title: "Peskin's scheme with Cayley's map",
+            family: "the note, varied",
+            source: "cayley1846; peskin2021",
+            claims: &[
+                Claim::Order(2),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::ConstantForce),
+                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+                Claim::VerticalMomentum,
+                Claim::Rigid,
+                Claim::Evaluations(2),
+                Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
+                Claim::Equivariant,
+            ],
+        }
+    }
     const STATES: usize = 1;
 
-    fn step<M: Model>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Model>(&self, model: &M, Step { t, h, from, to, work }: Step<M>) -> Result<(), Broken> {
         let [half] = work.buffers();
         let k0 = model.rates(t, from)?.motion();
         model.advance(from, h / 2.0, &by_cayley(k0, h / 2.0), half); // (1)–(4)
@@ -59,12 +55,12 @@ impl Scheme for PeskinCayley {
 }
 
 /// Rates whose exact rotation over `s` is Cayley's.
-fn by_cayley<R: Rates>(rates: Motion, s: f64) -> R {
+fn by_cayley<T: Real, R: Rates<T>>(rates: Motion<T>, s: T) -> R {
     R::of(Motion { spin: cayley_spin(&rates.spin, s), ..rates }) // (0)
 }
 
 /// Ω' of (0).
-fn cayley_spin(spin: &Vector3<f64>, s: f64) -> Vector3<f64> {
+fn cayley_spin<T: Real>(spin: &Vector3<T>, s: T) -> Vector3<T> {
     let x = rotation::length(spin) * s / 2.0;
     if x == 0.0 { *spin } else { spin * (x.atan() / x) }
 }

@@ -6,7 +6,8 @@
 //! Source: ralston1962, whose weights have the least bound on the error of a vector equation; with the
 //! ingredients of peskin2021 in place of sums. What is least for vectors need not be least for rotations.
 
-use super::{Card, Scheme, Workspace};
+use super::{Card, Scheme, Step};
+use crate::arithmetic::Real;
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model};
 
@@ -15,39 +16,34 @@ use crate::model::{Broken, Model};
 pub struct PeskinRalston;
 
 impl Scheme for PeskinRalston {
-    const CARD: Card = Card {
-        name: "peskin-ralston",
-        title: "Ralston's second-order weights with exact rotations",
-        family: "the note, varied",
-        source: "ralston1962; peskin2021",
-        claims: &[
-            Claim::Order(2),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::Exact(Quantity::Orientation, When::SteadySpin),
-            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::VerticalMomentum,
-            Claim::Rigid,
-            Claim::Evaluations(2),
-            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
-            Claim::Equivariant,
-        ],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "peskin-ralston",
+            title: "Ralston's second-order weights with exact rotations",
+            family: "the note, varied",
+            source: "ralston1962; peskin2021",
+            claims: &[
+                Claim::Order(2),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::ConstantForce),
+                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+                Claim::Exact(Quantity::Orientation, When::SteadySpin),
+                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+                Claim::VerticalMomentum,
+                Claim::Rigid,
+                Claim::Evaluations(2),
+                Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
+                Claim::Equivariant,
+            ],
+        }
+    }
     const STATES: usize = 1;
 
-    fn step<M: Model>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Model>(&self, model: &M, Step { t, h, from, to, work }: Step<M>) -> Result<(), Broken> {
         let [later] = work.buffers();
         let k0 = model.rates(t, from)?;
-        model.advance(from, 2.0 / 3.0 * h, &k0, later); // (1)
-        let k1 = model.rates(t + 2.0 / 3.0 * h, later)?;
+        model.advance(from, h * M::Real::ratio(2.0, 3.0), &k0, later); // (1)
+        let k1 = model.rates(t + h * M::Real::ratio(2.0, 3.0), later)?;
         model.advance(from, h, &(k0 * (1.0 / 4.0) + k1 * (3.0 / 4.0)), to); // (2)
         Ok(())
     }

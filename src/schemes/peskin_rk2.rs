@@ -6,7 +6,7 @@
 //! Source: peskin2021, steps (1)–(8). Second order; L constant without torque; the energy of a free body grows
 //! at a rate ∝ h³, so that it drifts: this is the scheme's weak side.
 
-use super::{Card, Scheme, SideBySide, Workspace};
+use super::{Card, Scheme, SideBySide, Step};
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model};
 
@@ -15,38 +15,33 @@ use crate::model::{Broken, Model};
 pub struct PeskinRk2;
 
 impl Scheme for PeskinRk2 {
-    const CARD: Card = Card {
-        name: "peskin-rk2",
-        title: "Peskin's two-stage scheme",
-        family: "the note",
-        source: "peskin2021",
-        claims: &[
-            Claim::Order(2),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::Exact(Quantity::Orientation, When::SteadySpin),
-            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::Energy(EnergyOfFreeBody::GrowsSecularly { rate_order: 3 }),
-            Claim::VerticalMomentum,
-            Claim::FlipTimes,
-            Claim::Rigid,
-            Claim::Evaluations(2),
-            Claim::Equivariant,
-        ],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "peskin-rk2",
+            title: "Peskin's two-stage scheme",
+            family: "the note",
+            source: "peskin2021",
+            claims: &[
+                Claim::Order(2),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::ConstantForce),
+                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+                Claim::Exact(Quantity::Orientation, When::SteadySpin),
+                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+                Claim::Energy(EnergyOfFreeBody::GrowsSecularly { rate_order: 3 }),
+                Claim::VerticalMomentum,
+                Claim::FlipTimes,
+                Claim::Rigid,
+                Claim::Evaluations(2),
+                Claim::Equivariant,
+            ],
+        }
+    }
     const SIDE_BY_SIDE: Option<SideBySide> = Some(SideBySide::PeskinRk2);
     const STATES: usize = 1;
 
     #[inline(always)]
-    fn step<M: Model>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Model>(&self, model: &M, Step { t, h, from, to, work }: Step<M>) -> Result<(), Broken> {
         let [half] = work.buffers();
         let k0 = model.rates(t, from)?;
         model.advance(from, h / 2.0, &k0, half); // (1)–(4)

@@ -9,7 +9,7 @@
 //!
 //! Source: celledoni2003, third order with the abscissas 0, 1/3, 2/3; peskin2021.
 
-use super::{Card, Scheme, Workspace};
+use super::{Card, Scheme, Step};
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model};
 
@@ -18,42 +18,37 @@ use crate::model::{Broken, Model};
 pub struct PeskinRk3;
 
 impl Scheme for PeskinRk3 {
-    const CARD: Card = Card {
-        name: "peskin-rk3",
-        title: "The note's ingredients at third order",
-        family: "the note, varied",
-        source: "celledoni2003; peskin2021",
-        claims: &[
-            Claim::Order(3),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::Exact(Quantity::Orientation, When::SteadySpin),
-            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::VerticalMomentum,
-            Claim::FlipTimes,
-            Claim::Rigid,
-            Claim::Evaluations(3),
-            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
-            Claim::Equivariant,
-        ],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "peskin-rk3",
+            title: "The note's ingredients at third order",
+            family: "the note, varied",
+            source: "celledoni2003; peskin2021",
+            claims: &[
+                Claim::Order(3),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::ConstantForce),
+                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+                Claim::Exact(Quantity::Orientation, When::SteadySpin),
+                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+                Claim::VerticalMomentum,
+                Claim::FlipTimes,
+                Claim::Rigid,
+                Claim::Evaluations(3),
+                Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
+                Claim::Equivariant,
+            ],
+        }
+    }
     const STATES: usize = 2;
 
-    fn step<M: Model>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Model>(&self, model: &M, Step { t, h, from, to, work }: Step<M>) -> Result<(), Broken> {
         let [third, two_thirds] = work.buffers();
         let k1 = model.rates(t, from)?;
         model.advance(from, h / 3.0, &k1, third); // (1)
         let k2 = model.rates(t + h / 3.0, third)?;
-        model.advance(from, 2.0 * h / 3.0, &k2, two_thirds); // (2)
-        let k3 = model.rates(t + 2.0 * h / 3.0, two_thirds)?;
+        model.advance(from, h * 2.0 / 3.0, &k2, two_thirds); // (2)
+        let k3 = model.rates(t + h * 2.0 / 3.0, two_thirds)?;
         model.advance(third, h, &(k1 * (-1.0 / 12.0) + k3 * (3.0 / 4.0)), to); // (3)
         Ok(())
     }

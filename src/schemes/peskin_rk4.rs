@@ -11,7 +11,7 @@
 //!
 //! Source: celledoni2003, the fourth-order method; peskin2021.
 
-use super::{Card, Scheme, Workspace};
+use super::{Card, Scheme, Step};
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model};
 
@@ -20,35 +20,30 @@ use crate::model::{Broken, Model};
 pub struct PeskinRk4;
 
 impl Scheme for PeskinRk4 {
-    const CARD: Card = Card {
-        name: "peskin-rk4",
-        title: "The note's ingredients at fourth order",
-        family: "the note, varied",
-        source: "celledoni2003; peskin2021",
-        claims: &[
-            Claim::Order(4),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::Exact(Quantity::Orientation, When::SteadySpin),
-            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::VerticalMomentum,
-            Claim::Rigid,
-            Claim::Evaluations(4),
-            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
-            Claim::Equivariant,
-        ],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "peskin-rk4",
+            title: "The note's ingredients at fourth order",
+            family: "the note, varied",
+            source: "celledoni2003; peskin2021",
+            claims: &[
+                Claim::Order(4),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::ConstantForce),
+                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+                Claim::Exact(Quantity::Orientation, When::SteadySpin),
+                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+                Claim::VerticalMomentum,
+                Claim::Rigid,
+                Claim::Evaluations(4),
+                Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
+                Claim::Equivariant,
+            ],
+        }
+    }
     const STATES: usize = 2;
 
-    fn step<M: Model>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Model>(&self, model: &M, Step { t, h, from, to, work }: Step<M>) -> Result<(), Broken> {
         let [early, stage] = work.buffers();
         let k1 = model.rates(t, from)?;
         model.advance(from, h / 2.0, &k1, early); // (1)

@@ -6,7 +6,7 @@
 //!
 //! Source: peskin2021 with (6) replaced. Second order; another constant for X_cm, and all else through the forces.
 
-use super::{Card, Scheme, Workspace};
+use super::{Card, Scheme, Step};
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model, Motion, Rates};
 
@@ -15,36 +15,31 @@ use crate::model::{Broken, Model, Motion, Rates};
 pub struct PeskinTrapezoid;
 
 impl Scheme for PeskinTrapezoid {
-    const CARD: Card = Card {
-        name: "peskin-trapezoid",
-        title: "Peskin's scheme with the trapezoid for X_cm",
-        family: "the note, varied",
-        source: "peskin2021",
-        claims: &[
-            Claim::Order(2),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::Exact(Quantity::Orientation, When::SteadySpin),
-            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::Energy(EnergyOfFreeBody::GrowsSecularly { rate_order: 3 }),
-            Claim::VerticalMomentum,
-            Claim::FlipTimes,
-            Claim::Rigid,
-            Claim::Evaluations(2),
-            Claim::Equivariant,
-        ],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "peskin-trapezoid",
+            title: "Peskin's scheme with the trapezoid for X_cm",
+            family: "the note, varied",
+            source: "peskin2021",
+            claims: &[
+                Claim::Order(2),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::ConstantForce),
+                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+                Claim::Exact(Quantity::Orientation, When::SteadySpin),
+                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+                Claim::Energy(EnergyOfFreeBody::GrowsSecularly { rate_order: 3 }),
+                Claim::VerticalMomentum,
+                Claim::FlipTimes,
+                Claim::Rigid,
+                Claim::Evaluations(2),
+                Claim::Equivariant,
+            ],
+        }
+    }
     const STATES: usize = 1;
 
-    fn step<M: Model>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Model>(&self, model: &M, Step { t, h, from, to, work }: Step<M>) -> Result<(), Broken> {
         let [half] = work.buffers();
         let k0 = model.rates(t, from)?;
         model.advance(from, h / 2.0, &k0, half); // (1)–(4)

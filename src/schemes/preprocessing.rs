@@ -17,96 +17,70 @@
 
 use nalgebra::Vector3;
 
+use crate::arithmetic::Real;
+
 /// kₘ(η) and its slope, for m = 1 … 4.
-fn polynomial(m: usize, e: f64, [e1, e2, e3]: [f64; 3]) -> (f64, f64) {
+fn polynomial<T: Real>(m: usize, e: T, [e1, e2, e3]: [T; 3]) -> (T, T) {
+    let zero = T::zero();
     let coefficients = match m {
-        1 => [e3, -e2, e1, 0.0, 0.0, 0.0].map(|c| c / 3.0),
-        2 => [-e2 * e3, 2.0 * e1 * e3 + e2 * e2, 2.0 * e3 - 3.0 * e1 * e2, 2.0 * e1 * e1 - e2, 0.0, 0.0]
+        1 => [e3, -e2, e1, zero, zero, zero].map(|c| c / 3.0),
+        2 => [-e2 * e3, e1 * 2.0 * e3 + e2 * e2, e3 * 2.0 - e1 * 3.0 * e2, e1 * 2.0 * e1 - e2, zero, zero]
             .map(|c| c / 5.0),
         3 => [
             e1 * e3 * e3 + e2 * e2 * e3,
-            4.0 * e3 * e3 - 6.0 * e1 * e2 * e3 - e2 * e2 * e2,
-            6.0 * e1 * e1 * e3 + 6.0 * e1 * e2 * e2 - 9.0 * e2 * e3,
-            8.0 * e1 * e3 + 4.0 * e2 * e2 - 10.0 * e1 * e1 * e2,
-            5.0 * e1 * e1 * e1 - 5.0 * e1 * e2 + e3,
-            0.0,
+            e3 * 4.0 * e3 - e1 * 6.0 * e2 * e3 - e2 * e2 * e2,
+            e1 * 6.0 * e1 * e3 + e1 * 6.0 * e2 * e2 - e2 * 9.0 * e3,
+            e1 * 8.0 * e3 + e2 * 4.0 * e2 - e1 * 10.0 * e1 * e2,
+            e1 * 5.0 * e1 * e1 - e1 * 5.0 * e2 + e3,
+            zero,
         ]
         .map(|c| c / 7.0),
         _ => [
-            2.0 * e3 * e3 * e3 - 3.0 * e1 * e2 * e3 * e3 - e2 * e2 * e2 * e3,
-            6.0 * e1 * e1 * e3 * e3 + 12.0 * e1 * e2 * e2 * e3 + e2.powi(4) - 15.0 * e2 * e3 * e3,
-            24.0 * e1 * e3 * e3 + 24.0 * e2 * e2 * e3 - 30.0 * e1 * e1 * e2 * e3 - 10.0 * e1 * e2.powi(3),
-            20.0 * e1.powi(3) * e3 + 30.0 * e1 * e1 * e2 * e2 - 60.0 * e1 * e2 * e3 - 10.0 * e2.powi(3)
-                + 12.0 * e3 * e3,
-            30.0 * e1 * e1 * e3 + 30.0 * e1 * e2 * e2 - 35.0 * e1.powi(3) * e2 - 15.0 * e2 * e3,
-            14.0 * e1.powi(4) - 21.0 * e1 * e1 * e2 + 6.0 * e1 * e3 + 3.0 * e2 * e2,
+            e3 * 2.0 * e3 * e3 - e1 * 3.0 * e2 * e3 * e3 - e2 * e2 * e2 * e3,
+            e1 * 6.0 * e1 * e3 * e3 + e1 * 12.0 * e2 * e2 * e3 + e2.powi(4) - e2 * 15.0 * e3 * e3,
+            e1 * 24.0 * e3 * e3 + e2 * 24.0 * e2 * e3 - e1 * 30.0 * e1 * e2 * e3 - e1 * 10.0 * e2.powi(3),
+            e1.powi(3) * 20.0 * e3 + e1 * 30.0 * e1 * e2 * e2 - e1 * 60.0 * e2 * e3 - e2.powi(3) * 10.0
+                + e3 * 12.0 * e3,
+            e1 * 30.0 * e1 * e3 + e1 * 30.0 * e2 * e2 - e1.powi(3) * 35.0 * e2 - e2 * 15.0 * e3,
+            e1.powi(4) * 14.0 - e1 * 21.0 * e1 * e2 + e1 * 6.0 * e3 + e2 * 3.0 * e2,
         ]
         .map(|c| c / 9.0),
     };
     coefficients
         .iter()
         .rev()
-        .fold((0.0, 0.0), |(value, slope), coefficient| (value * e + coefficient, slope * e + value))
+        .fold((zero, zero), |(value, slope), coefficient| (value * e + *coefficient, slope * e + value))
 }
 
 /// The moments Ĩ [kg m²] of (4) with the first `terms` polynomials: order 2 + 2 `terms` for a free body.
-pub(super) fn preprocessed(
-    moments: &Vector3<f64>,
-    momentum: &Vector3<f64>,
-    h: f64,
+pub(super) fn preprocessed<T: Real>(
+    moments: &Vector3<T>,
+    momentum: &Vector3<T>,
+    h: T,
     terms: usize,
-) -> Vector3<f64> {
+) -> Vector3<T> {
     let square = momentum.norm_squared();
-    if square == 0.0 {
+    if square == 0.0 || terms == 0 {
         return *moments;
     }
-    let nodes = moments.map(|moment| 0.5 / moment);
+    // In units of a node, rounded to a power of two: products of nodes stay near one in every system of units.
+    let unit = T::of(2f64.powi((0.5 / moments.min().to_f64()).log2().floor() as i32));
+    let nodes = moments.map(|moment| T::of(0.5) / (moment * unit));
     let eta = momentum.component_mul(&nodes).dot(momentum) / square;
-    let x = h * h * square;
-    let (mut sigma, mut delta) = (1.0, 0.0);
+    let length = h * unit;
+    let x = length * length * square;
+    let (mut sigma, mut delta) = (T::one(), T::zero());
     for _ in 0..terms {
         let (n, e) = (nodes.map(|node| sigma * node + delta), sigma * eta + delta);
         let symmetric = [n.sum(), n.x * n.y + n.y * n.z + n.z * n.x, n.product()];
-        let (mut by_energy, mut by_square, mut power) = (1.0, 0.0, 1.0);
+        let (mut by_energy, mut by_square, mut power) = (T::one(), T::zero(), T::one());
         for m in 1..=terms {
             let (value, slope) = polynomial(m, e, symmetric);
             power *= x;
             by_energy += power * slope; // ∂K̃/∂H
-            by_square += power * ((m + 1) as f64 * value - e * slope); // ∂K̃/∂C
+            by_square += power * (value * (m + 1) as f64 - e * slope); // ∂K̃/∂C
         }
-        (sigma, delta) = (1.0 / by_energy, -by_square / by_energy); // (4)
+        (sigma, delta) = (T::one() / by_energy, -by_square / by_energy); // (4)
     }
-    nodes.map(|node| 0.5 / (sigma * node + delta))
+    nodes.map(|node| T::of(0.5) / (sigma * node + delta) / unit)
 }
-
-/// Declares a preprocessed Moser–Veselov scheme.
-macro_rules! preprocessed_scheme {
-    ($(#[$doc:meta])* $scheme:ident, $name:literal, $title:literal, $terms:literal) => {
-        $crate::schemes::splitting::splitting! {
-            $(#[$doc])*
-            $scheme, free_turn, $crate::schemes::Card {
-                name: $name,
-                title: $title,
-                family: "geometric",
-                source: "hairer2006mv",
-                claims: &[
-                    Claim::Order(2),
-                    Claim::OrderWithoutTorque(2 + 2 * $terms),
-                    Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                    Claim::Exact(Quantity::Position, When::ConstantForce),
-                    Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                    Claim::VerticalMomentum,
-                    Claim::Rigid,
-                    Claim::Evaluations(1),
-                    Claim::Equivariant,
-                ],
-            }
-        }
-
-        fn free_turn(rotational: &Rotational, momentum: &Vector3<f64>, h: f64) -> Result<Rotation, Broken> {
-            let moments = preprocessed(&rotational.moments, momentum, h, $terms); // (1)
-            discrete_turn(&moments, momentum, h) // (2)
-        }
-    };
-}
-pub(super) use preprocessed_scheme;

@@ -16,7 +16,7 @@
 
 use super::multipliers::constrained_turn;
 use super::splitting::kick_turn_kick;
-use super::{Card, TurningScheme, Workspace};
+use super::{Card, Step, TurningScheme};
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 
@@ -25,39 +25,34 @@ use crate::model::{Broken, Turning};
 pub struct Rattle;
 
 impl TurningScheme for Rattle {
-    const CARD: Card = Card {
-        name: "rattle",
-        title: "RATTLE: the rotation matrix under constraints",
-        family: "geometric",
-        source: "mclachlan1995",
-        claims: &[
-            Claim::Order(2),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::VerticalMomentum,
-            Claim::FlipTimes,
-            Claim::Rigid,
-            Claim::Evaluations(1),
-            Claim::Energy(EnergyOfFreeBody::Constant),
-            Claim::Reversible,
-            Claim::Symplectic,
-            Claim::Equivariant,
-        ],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "rattle",
+            title: "RATTLE: the rotation matrix under constraints",
+            family: "geometric",
+            source: "mclachlan1995",
+            claims: &[
+                Claim::Order(2),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::ConstantForce),
+                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+                Claim::VerticalMomentum,
+                Claim::FlipTimes,
+                Claim::Rigid,
+                Claim::Evaluations(1),
+                Claim::Energy(EnergyOfFreeBody::Constant),
+                Claim::Reversible,
+                Claim::Symplectic,
+                Claim::Equivariant,
+            ],
+        }
+    }
     const STATES: usize = 0;
     const TAKES_VELOCITY_FORCES: bool = false;
     const TAKES_RODS: bool = false;
     const TAKES_PLATES: bool = false;
 
-    fn step<M: Turning>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
-        kick_turn_kick(constrained_turn, model, (t, h), from, to, work) // (1)–(5)
+    fn step<M: Turning>(&self, model: &M, step: Step<M>) -> Result<(), Broken> {
+        kick_turn_kick(constrained_turn, model, step) // (1)–(5)
     }
 }

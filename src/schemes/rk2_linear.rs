@@ -6,7 +6,7 @@
 //!
 //! Source: peskin2021 with (1) and (5) linear. Second order; the body is not rigid: its size changes as h³.
 
-use super::{Card, PointScheme, Workspace};
+use super::{Card, PointScheme, Step};
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Pointwise};
 
@@ -15,32 +15,27 @@ use crate::model::{Broken, Pointwise};
 pub struct Rk2Linear;
 
 impl PointScheme for Rk2Linear {
-    const CARD: Card = Card {
-        name: "rk2-linear",
-        title: "Midpoint rule without rotations",
-        family: "the note, varied",
-        source: "peskin2021",
-        claims: &[
-            Claim::Order(2),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::VerticalMomentum,
-            Claim::Evaluations(2),
-            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
-            Claim::Equivariant,
-        ],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "rk2-linear",
+            title: "Midpoint rule without rotations",
+            family: "the note, varied",
+            source: "peskin2021",
+            claims: &[
+                Claim::Order(2),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::ConstantForce),
+                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+                Claim::VerticalMomentum,
+                Claim::Evaluations(2),
+                Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
+                Claim::Equivariant,
+            ],
+        }
+    }
     const STATES: usize = 1;
 
-    fn step<M: Pointwise>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Pointwise>(&self, model: &M, Step { t, h, from, to, work }: Step<M>) -> Result<(), Broken> {
         let [half] = work.buffers();
         let k0 = model.rates(t, from)?;
         model.advance_straight(from, h / 2.0, &k0, from, half); // (1)–(4)

@@ -15,9 +15,10 @@
 use nalgebra::Matrix3;
 
 use super::vector_form::{hold, orthonormal};
-use super::{Card, TurningScheme, Workspace};
+use super::{Card, Step, TurningScheme};
+use crate::arithmetic::Real;
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
-use crate::model::{Broken, Turning};
+use crate::model::{Broken, Rates, Turning};
 use crate::rotation;
 
 /// The classical Runge–Kutta method on a rotation matrix.
@@ -25,39 +26,35 @@ use crate::rotation;
 pub struct Rk4Matrix;
 
 impl TurningScheme for Rk4Matrix {
-    const CARD: Card = Card {
-        name: "rk4-matrix",
-        title: "classical Runge-Kutta on rotation matrix and L, re-orthonormalised",
-        family: "classical",
-        source: "kutta1901",
-        claims: &[
-            Claim::Order(4),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::VerticalMomentum,
-            Claim::Rigid,
-            Claim::Evaluations(4),
-            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
-            Claim::Equivariant,
-        ],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "rk4-matrix",
+            title: "classical Runge-Kutta on rotation matrix and L, re-orthonormalised",
+            family: "classical",
+            source: "kutta1901",
+            claims: &[
+                Claim::Order(4),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::ConstantForce),
+                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+                Claim::VerticalMomentum,
+                Claim::Rigid,
+                Claim::Evaluations(4),
+                Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
+                Claim::Equivariant,
+            ],
+        }
+    }
     const STATES: usize = 1;
     const TAKES_VELOCITY_FORCES: bool = true;
     const TAKES_RODS: bool = true;
 
-    fn step<M: Turning>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Turning>(&self, model: &M, Step { t, h, from, to, work }: Step<M>) -> Result<(), Broken> {
         let [stage] = work.buffers();
+        let two = M::Real::of(2.0);
         let a0 = model.attitude(from).to_rotation_matrix().into_inner();
-        let turned = |rates: &M::Rates, a: &Matrix3<f64>| model.spin_of(rates).cross_matrix() * a;
-        let place = |s: f64, rates: &M::Rates, a: &Matrix3<f64>, into: &mut M::State| {
+        let turned = |rates: &M::Rates, a: &Matrix3<M::Real>| model.spin_of(rates).cross_matrix() * a;
+        let place = |s: M::Real, rates: &M::Rates, a: &Matrix3<M::Real>, into: &mut M::State| {
             hold(model, from, s, rates, rotation::from_matrix(&orthonormal(a)), into);
         };
         let k1 = model.rates(t, from)?; // (1)
@@ -74,8 +71,8 @@ impl TurningScheme for Rk4Matrix {
         place(h, &k3, &a4, stage);
         let k4 = model.rates(t + h, stage)?; // (4)
         let p4 = turned(&k4, &a4);
-        let mean = (k1 + k2 * 2.0 + k3 * 2.0 + k4) * (1.0 / 6.0);
-        place(h, &mean, &(a0 + (p1 + p2 * 2.0 + p3 * 2.0 + p4) * (h / 6.0)), to); // (5)
+        let mean = (k1 + k2 * 2.0 + k3 * 2.0 + k4).scaled(M::Real::ratio(1.0, 6.0));
+        place(h, &mean, &(a0 + (p1 + p2 * two + p3 * two + p4) * (h / 6.0)), to); // (5)
         Ok(())
     }
 }

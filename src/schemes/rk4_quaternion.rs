@@ -13,9 +13,10 @@
 //! Source: kutta1901. Fourth order; L constant without torque; the energy of a free body drifts.
 
 use super::vector_form::hold;
-use super::{Card, TurningScheme, Workspace};
+use super::{Card, Step, TurningScheme};
+use crate::arithmetic::Real;
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
-use crate::model::{Broken, Turning};
+use crate::model::{Broken, Rates, Turning};
 use crate::rotation::{rate_of, unit};
 
 /// The classical Runge–Kutta method on a quaternion.
@@ -23,37 +24,32 @@ use crate::rotation::{rate_of, unit};
 pub struct Rk4Quaternion;
 
 impl TurningScheme for Rk4Quaternion {
-    const CARD: Card = Card {
-        name: "rk4-quaternion",
-        title: "classical Runge-Kutta on quaternion and L",
-        family: "classical",
-        source: "kutta1901",
-        claims: &[
-            Claim::Order(4),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::VerticalMomentum,
-            Claim::Rigid,
-            Claim::Evaluations(4),
-            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
-            Claim::Equivariant,
-        ],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "rk4-quaternion",
+            title: "classical Runge-Kutta on quaternion and L",
+            family: "classical",
+            source: "kutta1901",
+            claims: &[
+                Claim::Order(4),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::ConstantForce),
+                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+                Claim::VerticalMomentum,
+                Claim::Rigid,
+                Claim::Evaluations(4),
+                Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
+                Claim::Equivariant,
+            ],
+        }
+    }
     const STATES: usize = 1;
     const TAKES_VELOCITY_FORCES: bool = true;
     const TAKES_RODS: bool = true;
 
     #[inline(always)]
-    fn step<M: Turning>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Turning>(&self, model: &M, Step { t, h, from, to, work }: Step<M>) -> Result<(), Broken> {
         let [stage] = work.buffers();
         let q0 = model.attitude(from).into_inner();
         let k1 = model.rates(t, from)?;
@@ -64,8 +60,8 @@ impl TurningScheme for Rk4Quaternion {
         let (k3, d3) = model.rates_at_stage(t + h / 2.0, (from, h / 2.0, &k2), (&q3, h), stage)?; // (3)
         let q4 = q0 + d3;
         let (k4, d4) = model.rates_at_stage(t + h, (from, h, &k3), (&q4, h / 6.0), stage)?; // (4)
-        let mean = (k1 + k2 * 2.0 + k3 * 2.0 + k4) * (1.0 / 6.0);
-        let q1 = (q0 + (d1 + d2 * 2.0 + d3) * (1.0 / 3.0)) + d4;
+        let mean = (k1 + k2 * 2.0 + k3 * 2.0 + k4).scaled(M::Real::ratio(1.0, 6.0));
+        let q1 = (q0 + (d1 + d2 * M::Real::of(2.0) + d3) * M::Real::ratio(1.0, 3.0)) + d4;
         hold(model, from, h, &mean, unit(&q1), to); // (5)
         Ok(())
     }

@@ -12,7 +12,8 @@
 
 use nalgebra::Vector3;
 
-use super::{Card, Scheme, Workspace};
+use super::{Card, Scheme, Step};
+use crate::arithmetic::Real;
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model, Motion, Rates};
 
@@ -21,35 +22,30 @@ use crate::model::{Broken, Model, Motion, Rates};
 pub struct Rkmk4;
 
 impl Scheme for Rkmk4 {
-    const CARD: Card = Card {
-        name: "rkmk4",
-        title: "Runge–Kutta–Munthe-Kaas of fourth order",
-        family: "Lie group",
-        source: "munthekaas1999; hairer2006",
-        claims: &[
-            Claim::Order(4),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::Exact(Quantity::Orientation, When::SteadySpin),
-            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::VerticalMomentum,
-            Claim::Rigid,
-            Claim::Evaluations(4),
-            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
-            Claim::Equivariant,
-        ],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "rkmk4",
+            title: "Runge–Kutta–Munthe-Kaas of fourth order",
+            family: "Lie group",
+            source: "munthekaas1999; hairer2006",
+            claims: &[
+                Claim::Order(4),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::ConstantForce),
+                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+                Claim::Exact(Quantity::Orientation, When::SteadySpin),
+                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+                Claim::VerticalMomentum,
+                Claim::Rigid,
+                Claim::Evaluations(4),
+                Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
+                Claim::Equivariant,
+            ],
+        }
+    }
     const STATES: usize = 1;
 
-    fn step<M: Model>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Model>(&self, model: &M, Step { t, h, from, to, work }: Step<M>) -> Result<(), Broken> {
         let [stage] = work.buffers();
         let k1 = model.rates(t, from)?; // (1)
         model.advance(from, h / 2.0, &k1, stage);
@@ -64,9 +60,9 @@ impl Scheme for Rkmk4 {
 }
 
 /// d(s K, k) of (6).
-fn pulled_back<R: Rates>(s: f64, reached_by: &R, rates: &R) -> R {
-    let u: Vector3<f64> = reached_by.motion().spin * s;
+fn pulled_back<T: Real, R: Rates<T>>(s: T, reached_by: &R, rates: &R) -> R {
+    let u: Vector3<T> = reached_by.motion().spin * s;
     let motion = rates.motion();
     let across = u.cross(&motion.spin);
-    R::of(Motion { spin: motion.spin - across / 2.0 + u.cross(&across) / 12.0, ..motion })
+    R::of(Motion { spin: motion.spin - across / T::of(2.0) + u.cross(&across) / T::of(12.0), ..motion })
 }

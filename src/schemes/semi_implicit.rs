@@ -12,9 +12,9 @@ pub(super) fn in_body_axes<M: Turning>(
     model: &M,
     state: &M::State,
     rates: &M::Rates,
-) -> (Vector3<f64>, Vector3<f64>) {
+) -> (Vector3<M::Real>, Vector3<M::Real>) {
     let attitude = model.attitude(state);
-    let to_body = |v: Vector3<f64>| attitude.inverse_transform_vector(&v);
+    let to_body = |v: Vector3<M::Real>| attitude.inverse_transform_vector(&v);
     (to_body(model.spin_of(rates)), to_body(model.torque_of(rates)))
 }
 
@@ -22,10 +22,10 @@ pub(super) fn in_body_axes<M: Turning>(
 #[inline]
 pub(super) fn explicit_spin<M: Turning>(
     model: &M,
-    h: f64,
+    h: M::Real,
     from: &M::State,
     rates: &M::Rates,
-) -> Vector3<f64> {
+) -> Vector3<M::Real> {
     let (spin, torque) = in_body_axes(model, from, rates);
     let body = model.rotational();
     let gyroscopic = spin.cross(&body.moments.component_mul(&spin));
@@ -37,10 +37,10 @@ pub(super) fn explicit_spin<M: Turning>(
 #[inline]
 pub(super) fn move_by<M: Turning>(
     model: &M,
-    h: f64,
+    h: M::Real,
     from: &M::State,
     rates: &M::Rates,
-    spin: &Vector3<f64>,
+    spin: &Vector3<M::Real>,
     to: &mut M::State,
 ) {
     to.clone_from(from);

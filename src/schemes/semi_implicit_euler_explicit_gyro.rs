@@ -8,7 +8,7 @@
 //! Source: catto2015. First order; neither L nor energy is kept without torque: both grow.
 
 use super::semi_implicit::{explicit_spin, move_by};
-use super::{Card, TurningScheme, Workspace};
+use super::{Card, Step, TurningScheme};
 use crate::claim::{Claim, Quantity, When};
 use crate::model::{Broken, Turning};
 
@@ -17,33 +17,28 @@ use crate::model::{Broken, Turning};
 pub struct SemiImplicitEulerExplicitGyro;
 
 impl TurningScheme for SemiImplicitEulerExplicitGyro {
-    const CARD: Card = Card {
-        name: "semi-implicit-euler-explicit-gyro",
-        title: "semi-implicit Euler, explicit gyroscopic term",
-        family: "engines",
-        source: "catto2015",
-        claims: &[
-            Claim::Order(1),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::NoForce),
-            Claim::Rigid,
-            Claim::Evaluations(1),
-            Claim::Equivariant,
-        ],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "semi-implicit-euler-explicit-gyro",
+            title: "semi-implicit Euler, explicit gyroscopic term",
+            family: "engines",
+            source: "catto2015",
+            claims: &[
+                Claim::Order(1),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::NoForce),
+                Claim::Rigid,
+                Claim::Evaluations(1),
+                Claim::Equivariant,
+            ],
+        }
+    }
     const STATES: usize = 0;
     const TAKES_VELOCITY_FORCES: bool = true;
     const TAKES_RODS: bool = true;
     const KEEPS_MOMENTUM: bool = false;
 
-    fn step<M: Turning>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        _work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Turning>(&self, model: &M, Step { t, h, from, to, .. }: Step<M>) -> Result<(), Broken> {
         let k0 = model.rates(t, from)?;
         let spin = explicit_spin(model, h, from, &k0); // (1)
         move_by(model, h, from, &k0, &spin, to); // (2)

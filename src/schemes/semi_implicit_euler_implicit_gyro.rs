@@ -12,7 +12,7 @@
 use nalgebra::Matrix3;
 
 use super::semi_implicit::{in_body_axes, move_by};
-use super::{Card, TurningScheme, Workspace};
+use super::{Card, Step, TurningScheme};
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 
@@ -21,34 +21,29 @@ use crate::model::{Broken, Turning};
 pub struct SemiImplicitEulerImplicitGyro;
 
 impl TurningScheme for SemiImplicitEulerImplicitGyro {
-    const CARD: Card = Card {
-        name: "semi-implicit-euler-implicit-gyro",
-        title: "semi-implicit Euler, implicit gyroscopic term",
-        family: "engines",
-        source: "catto2015",
-        claims: &[
-            Claim::Order(1),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::NoForce),
-            Claim::Rigid,
-            Claim::Evaluations(1),
-            Claim::Energy(EnergyOfFreeBody::Falls),
-            Claim::Equivariant,
-        ],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "semi-implicit-euler-implicit-gyro",
+            title: "semi-implicit Euler, implicit gyroscopic term",
+            family: "engines",
+            source: "catto2015",
+            claims: &[
+                Claim::Order(1),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::NoForce),
+                Claim::Rigid,
+                Claim::Evaluations(1),
+                Claim::Energy(EnergyOfFreeBody::Falls),
+                Claim::Equivariant,
+            ],
+        }
+    }
     const STATES: usize = 0;
     const TAKES_VELOCITY_FORCES: bool = true;
     const TAKES_RODS: bool = false;
     const KEEPS_MOMENTUM: bool = false;
 
-    fn step<M: Turning>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        _work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Turning>(&self, model: &M, Step { t, h, from, to, .. }: Step<M>) -> Result<(), Broken> {
         let k0 = model.rates(t, from)?;
         let (spin, torque) = in_body_axes(model, from, &k0);
         let body = model.rotational();

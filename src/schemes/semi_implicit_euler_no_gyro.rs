@@ -9,7 +9,7 @@
 //! whatever its shape, and so loses its L; translation alone is of first order.
 
 use super::semi_implicit::{in_body_axes, move_by};
-use super::{Card, TurningScheme, Workspace};
+use super::{Card, Step, TurningScheme};
 use crate::claim::{Claim, Quantity, When};
 use crate::model::{Broken, Turning};
 
@@ -18,33 +18,28 @@ use crate::model::{Broken, Turning};
 pub struct SemiImplicitEulerNoGyro;
 
 impl TurningScheme for SemiImplicitEulerNoGyro {
-    const CARD: Card = Card {
-        name: "semi-implicit-euler-no-gyro",
-        title: "semi-implicit Euler without gyroscopic term",
-        family: "engines",
-        source: "catto2015",
-        claims: &[
-            Claim::SolvesAnotherMotion,
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::NoForce),
-            Claim::Rigid,
-            Claim::Evaluations(1),
-            Claim::Equivariant,
-        ],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "semi-implicit-euler-no-gyro",
+            title: "semi-implicit Euler without gyroscopic term",
+            family: "engines",
+            source: "catto2015",
+            claims: &[
+                Claim::SolvesAnotherMotion,
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::NoForce),
+                Claim::Rigid,
+                Claim::Evaluations(1),
+                Claim::Equivariant,
+            ],
+        }
+    }
     const STATES: usize = 0;
     const TAKES_VELOCITY_FORCES: bool = true;
     const TAKES_RODS: bool = true;
     const KEEPS_MOMENTUM: bool = false;
 
-    fn step<M: Turning>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        _work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Turning>(&self, model: &M, Step { t, h, from, to, .. }: Step<M>) -> Result<(), Broken> {
         let k0 = model.rates(t, from)?;
         let (spin, torque) = in_body_axes(model, from, &k0);
         let inverse = &model.rotational().inverse_moments;

@@ -10,7 +10,8 @@
 
 use super::iteration::until_settled;
 use super::vector_form::hold;
-use super::{Card, TurningScheme, Workspace};
+use super::{Card, Step, TurningScheme};
+use crate::arithmetic::Real;
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 use crate::rotation::{renormalized, turn};
@@ -20,39 +21,34 @@ use crate::rotation::{renormalized, turn};
 pub struct SimoWong;
 
 impl TurningScheme for SimoWong {
-    const CARD: Card = Card {
-        name: "simo-wong",
-        title: "Simo and Wong, energy and momentum conserving",
-        family: "geometric",
-        source: "simo1991",
-        claims: &[
-            Claim::Order(2),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::Exact(Quantity::Orientation, When::SteadySpin),
-            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::VerticalMomentum,
-            Claim::FlipTimes,
-            Claim::Rigid,
-            Claim::Energy(EnergyOfFreeBody::Constant),
-            Claim::Reversible,
-            Claim::Equivariant,
-            Claim::Solves(1),
-        ],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "simo-wong",
+            title: "Simo and Wong, energy and momentum conserving",
+            family: "geometric",
+            source: "simo1991",
+            claims: &[
+                Claim::Order(2),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::ConstantForce),
+                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+                Claim::Exact(Quantity::Orientation, When::SteadySpin),
+                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+                Claim::VerticalMomentum,
+                Claim::FlipTimes,
+                Claim::Rigid,
+                Claim::Energy(EnergyOfFreeBody::Constant),
+                Claim::Reversible,
+                Claim::Equivariant,
+                Claim::Solves(1),
+            ],
+        }
+    }
     const STATES: usize = 1;
     const TAKES_VELOCITY_FORCES: bool = true;
     const TAKES_RODS: bool = true;
 
-    fn step<M: Turning>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Turning>(&self, model: &M, Step { t, h, from, to, work }: Step<M>) -> Result<(), Broken> {
         let [before] = work.buffers();
         let attitude0 = model.attitude(from);
         let k0 = model.rates(t, from)?;
@@ -60,7 +56,7 @@ impl TurningScheme for SimoWong {
         to.clone_from(from);
         until_settled(model, || {
             let body_spin1 = model.attitude(to).inverse_transform_vector(&model.spin_of(&k1));
-            let mean_spin = (model.spin_of(&k0) + attitude0 * body_spin1) / 2.0;
+            let mean_spin = (model.spin_of(&k0) + attitude0 * body_spin1) / M::Real::of(2.0);
             let attitude1 = renormalized(turn(&(mean_spin * h)) * attitude0); // (1)
             std::mem::swap(to, before);
             hold(model, from, h, &((k0 + k1) * 0.5), attitude1, to); // (2)

@@ -10,22 +10,16 @@
 
 use nalgebra::Vector3;
 
-use super::Workspace;
+use super::Step;
 use crate::model::{Broken, Rotational, Turning};
 use crate::rotation::{self, Rotation};
 
-/// A rule for the turn of a free body in a time h, from L in principal axes.
-pub(super) type FreeTurn = fn(&Rotational, &Vector3<f64>, f64) -> Result<Rotation, Broken>;
-
-/// One step (1)–(3) with the rule `turn`.
+/// One step (1)–(3) with the rule `turn`: the turn of a free body in a time h, from L in principal axes.
 #[inline]
 pub(super) fn kick_turn_kick<M: Turning>(
-    turn: FreeTurn,
+    turn: impl Fn(&Rotational<M::Real>, &Vector3<M::Real>, M::Real) -> Result<Rotation<M::Real>, Broken>,
     model: &M,
-    (t, h): (f64, f64),
-    from: &M::State,
-    to: &mut M::State,
-    work: &mut Workspace<M>,
+    Step { t, h, from, to, work }: Step<M>,
 ) -> Result<(), Broken> {
     let first = match work.history.pop() {
         Some(rates) => rates,
@@ -51,20 +45,20 @@ macro_rules! splitting {
         pub struct $scheme;
 
         impl $crate::schemes::TurningScheme for $scheme {
-            const CARD: $crate::schemes::Card = $card;
+            fn card(&self) -> $crate::schemes::Card {
+                $card
+            }
+
             const STATES: usize = 0;
             const TAKES_VELOCITY_FORCES: bool = false;
             const TAKES_RODS: bool = false;
 
             fn step<M: $crate::model::Turning>(
+                &self,
                 model: &M,
-                t: f64,
-                h: f64,
-                from: &M::State,
-                to: &mut M::State,
-                work: &mut $crate::schemes::Workspace<M>,
+                step: $crate::schemes::Step<M>,
             ) -> Result<(), $crate::model::Broken> {
-                $crate::schemes::splitting::kick_turn_kick($turn, model, (t, h), from, to, work)
+                $crate::schemes::splitting::kick_turn_kick($turn, model, step)
             }
         }
     };

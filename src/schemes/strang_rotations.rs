@@ -11,6 +11,7 @@ use nalgebra::Vector3;
 
 use super::Card;
 use super::splitting::splitting;
+use crate::arithmetic::Real;
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Rotational};
 use crate::rotation::{self, Rotation};
@@ -40,14 +41,14 @@ splitting! {
 }
 
 /// (1) and (2).
-pub(super) fn free_turn(
-    rotational: &Rotational,
-    momentum: &Vector3<f64>,
-    h: f64,
-) -> Result<Rotation, Broken> {
+pub(super) fn free_turn<T: Real>(
+    rotational: &Rotational<T>,
+    momentum: &Vector3<T>,
+    h: T,
+) -> Result<Rotation<T>, Broken> {
     let (mut q, mut l) = (Rotation::identity(), *momentum);
     for (axis, part) in [(0, 0.5), (1, 0.5), (2, 1.0), (1, 0.5), (0, 0.5)] {
-        let angle = part * h * l[axis] * rotational.inverse_moments[axis];
+        let angle = h * part * l[axis] * rotational.inverse_moments[axis];
         let turn = rotation::turn(&Vector3::ith(axis, angle));
         q *= turn; // (1)
         l = turn.inverse_transform_vector(&l); // (2)

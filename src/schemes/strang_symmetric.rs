@@ -12,6 +12,7 @@ use nalgebra::Vector3;
 
 use super::Card;
 use super::splitting::splitting;
+use crate::arithmetic::Real;
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Rotational};
 use crate::rotation::{self, Rotation};
@@ -43,14 +44,18 @@ splitting! {
 }
 
 /// (3) (2) (3).
-fn free_turn(rotational: &Rotational, momentum: &Vector3<f64>, h: f64) -> Result<Rotation, Broken> {
+fn free_turn<T: Real>(
+    rotational: &Rotational<T>,
+    momentum: &Vector3<T>,
+    h: T,
+) -> Result<Rotation<T>, Broken> {
     let inverse = &rotational.inverse_moments;
     let mut order = [0, 1, 2];
-    order.sort_by(|i, j| inverse[*i].total_cmp(&inverse[*j]));
+    order.sort_by(|i, j| inverse[*i].to_f64().total_cmp(&inverse[*j].to_f64()));
     let [low, b, high] = order;
     let high_is_farther = inverse[high] - inverse[b] > inverse[b] - inverse[low];
     let (a, c) = if high_is_farther { (low, high) } else { (high, low) };
-    let rest = |l: &Vector3<f64>| Vector3::ith(a, 0.5 * h * (inverse[a] - inverse[b]) * l[a]); // (3)
+    let rest = |l: &Vector3<T>| Vector3::ith(a, h * 0.5 * (inverse[a] - inverse[b]) * l[a]); // (3)
 
     let before = rotation::turn(&rest(momentum));
     let l = before.inverse_transform_vector(momentum);

@@ -5,7 +5,8 @@
 //! Source: peskin2021, steps (1)–(4). First order with a quarter of Euler's error at four times its cost: what
 //! substeps buy without a better scheme.
 
-use super::{Card, Euler, Scheme, Substepped, Workspace};
+use super::substepped::substepped;
+use super::{Card, Euler, Scheme, Step};
 use crate::claim::{Claim, Quantity, When};
 use crate::model::{Broken, Model};
 
@@ -14,34 +15,29 @@ use crate::model::{Broken, Model};
 pub struct Substepped4Euler;
 
 impl Scheme for Substepped4Euler {
-    const CARD: Card = Card {
-        name: "substepped-4-euler",
-        title: "Euler-only baseline in four parts a step",
-        family: "substepped",
-        source: "peskin2021",
-        claims: &[
-            Claim::Order(1),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::NoForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::Exact(Quantity::Orientation, When::SteadySpin),
-            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::VerticalMomentum,
-            Claim::Rigid,
-            Claim::Evaluations(4),
-            Claim::Equivariant,
-        ],
-    };
-    const STATES: usize = Substepped::<Euler, 4>::STATES;
+    fn card(&self) -> Card {
+        Card {
+            name: "substepped-4-euler",
+            title: "Euler-only baseline in four parts a step",
+            family: "substepped",
+            source: "peskin2021",
+            claims: &[
+                Claim::Order(1),
+                Claim::Exact(Quantity::Velocity, When::ConstantForce),
+                Claim::Exact(Quantity::Position, When::NoForce),
+                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
+                Claim::Exact(Quantity::Orientation, When::SteadySpin),
+                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
+                Claim::VerticalMomentum,
+                Claim::Rigid,
+                Claim::Evaluations(4),
+                Claim::Equivariant,
+            ],
+        }
+    }
+    const STATES: usize = Euler::STATES + 1;
 
-    fn step<M: Model>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
-        Substepped::<Euler, 4>::step(model, t, h, from, to, work) // (1)
+    fn step<M: Model>(&self, model: &M, step: Step<M>) -> Result<(), Broken> {
+        substepped(&Euler, 4, model, step) // (1)
     }
 }

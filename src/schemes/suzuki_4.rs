@@ -5,22 +5,13 @@
 //! Source: suzuki1990. Order 4, symplectic, symmetric; smaller steps and errors than the triple jump's.
 
 use super::Card;
-use super::composed::{Composed, Composition};
-use super::strang_rotations::StrangRotations;
+use super::composed::composition;
+use crate::arithmetic::Real;
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 
-/// Suzuki's fractal.
-pub type Suzuki4 = Composed<Fractal>;
-
-/// Its coefficients.
-#[derive(Clone, Copy, Debug)]
-pub struct Fractal;
-
-impl Composition for Fractal {
-    type Base = StrangRotations;
-    type Half = [f64; 3];
-
-    const CARD: Card = Card {
+composition! {
+    /// Suzuki's fractal.
+    Suzuki4, Card {
         name: "suzuki-4",
         title: "Suzuki's five-step composition of strang-rotations",
         family: "geometric",
@@ -38,10 +29,11 @@ impl Composition for Fractal {
             Claim::Symplectic,
             Claim::Equivariant,
         ],
-    };
-
-    fn half() -> [f64; 3] {
-        let gamma = 1.0 / (4.0 - f64::cbrt(4.0));
-        [gamma, gamma, -f64::cbrt(4.0) * gamma] // (1)
     }
+}
+
+pub(super) fn half<T: Real>() -> [T; 3] {
+    let root = T::of(4.0).cbrt();
+    let gamma = T::one() / (T::of(4.0) - root);
+    [gamma, gamma, -root * gamma] // (1)
 }

@@ -5,12 +5,13 @@
 
 use nalgebra::{Matrix3, Quaternion, Vector3};
 
+use crate::arithmetic::Real;
 use crate::model::Turning;
 use crate::rotation::Rotation;
 
 /// dq/dt = ½ Ω q, Ω in world axes as the quaternion (0, Ω).
-pub(super) fn quaternion_rate(spin: &Vector3<f64>, q: &Quaternion<f64>) -> Quaternion<f64> {
-    Quaternion::from_imag(*spin) * q * 0.5
+pub(super) fn quaternion_rate<T: Real>(spin: &Vector3<T>, q: &Quaternion<T>) -> Quaternion<T> {
+    Quaternion::from_imag(*spin) * q * T::of(0.5)
 }
 
 /// Holds `rates` for a time `s` from `from`, but for the attitude, which is given.
@@ -18,9 +19,9 @@ pub(super) fn quaternion_rate(spin: &Vector3<f64>, q: &Quaternion<f64>) -> Quate
 pub(super) fn hold<M: Turning>(
     model: &M,
     from: &M::State,
-    s: f64,
+    s: M::Real,
     rates: &M::Rates,
-    attitude: Rotation,
+    attitude: Rotation<M::Real>,
     into: &mut M::State,
 ) {
     model.advance(from, s, rates, into);
@@ -30,7 +31,7 @@ pub(super) fn hold<M: Turning>(
 
 /// Gram and Schmidt's process on the columns, from the first on.
 #[inline]
-pub(super) fn orthonormal(a: &Matrix3<f64>) -> Matrix3<f64> {
+pub(super) fn orthonormal<T: Real>(a: &Matrix3<T>) -> Matrix3<T> {
     let x = a.column(0).normalize();
     let y = (a.column(1) - x * x.dot(&a.column(1))).normalize();
     Matrix3::from_columns(&[x, y, x.cross(&y)])

@@ -5,22 +5,13 @@
 //! Source: yoshida1990; the triple jump, found by several authors at about that time. Order 4, symplectic, symmetric.
 
 use super::Card;
-use super::composed::{Composed, Composition};
-use super::strang_rotations::StrangRotations;
+use super::composed::composition;
+use crate::arithmetic::Real;
 use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 
-/// Triple jump.
-pub type Yoshida4 = Composed<TripleJump>;
-
-/// Its coefficients.
-#[derive(Clone, Copy, Debug)]
-pub struct TripleJump;
-
-impl Composition for TripleJump {
-    type Base = StrangRotations;
-    type Half = [f64; 2];
-
-    const CARD: Card = Card {
+composition! {
+    /// Triple jump.
+    Yoshida4, Card {
         name: "yoshida-4",
         title: "Triple jump of strang-rotations",
         family: "geometric",
@@ -38,10 +29,11 @@ impl Composition for TripleJump {
             Claim::Symplectic,
             Claim::Equivariant,
         ],
-    };
-
-    fn half() -> [f64; 2] {
-        let gamma = 1.0 / (2.0 - f64::cbrt(2.0));
-        [gamma, -f64::cbrt(2.0) * gamma] // (1)
     }
+}
+
+pub(super) fn half<T: Real>() -> [T; 2] {
+    let root = T::of(2.0).cbrt();
+    let gamma = T::one() / (T::of(2.0) - root);
+    [gamma, -root * gamma] // (1)
 }

@@ -37,7 +37,7 @@ struct Copy<'a> {
 
 /// The copy with a flaw, under the name and the claims of the scheme that it pretends to be.
 pub(super) fn contestant(flaw: Flaw) -> Contestant {
-    Contestant::foreign(crate::schemes::PeskinRk2::CARD, move |system, form, plan, store| {
+    Contestant::foreign(crate::schemes::PeskinRk2.card(), move |system, form, plan, store| {
         run(flaw, system, form, plan, store)
     })
 }

@@ -2,49 +2,46 @@
 
 use super::planted::{Plant, Row};
 use crate::model::{Broken, Model};
-use crate::schemes::{Card, Claim, PeskinRk2, PeskinRk4, Scheme, Workspace};
+use crate::schemes::{Card, Claim, PeskinRk2, PeskinRk4, Scheme, Step};
 use crate::simulate::Contestant;
 
 /// Faint defects, and the scenes that show them.
 pub(super) const FAINT: &[Row] = &[
     (
         "a ten-thousandth of Euler in the second stage",
-        Plant::Other(Contestant::new::<Contaminated<1>>),
+        Plant::Other(|| Contestant::new(Contaminated::<1>)),
         &["free-asymmetric", "kovalevskaya", "tether-springs"],
     ),
     (
         "a coefficient of fourth order off by 1e-7",
-        Plant::Other(Contestant::new::<OffCoefficient>),
+        Plant::Other(|| Contestant::new(OffCoefficient)),
         &["free-asymmetric", "kovalevskaya", "tether-springs"],
     ),
 ];
 
 /// Peskin's scheme whose second stage takes so many ten-thousandths of its rates from the start: first order, under a second-order part
 /// that is the larger one at large steps.
+#[derive(Clone, Copy)]
 pub(super) struct Contaminated<const PARTS: u32>;
 
 impl<const PARTS: u32> Scheme for Contaminated<PARTS> {
-    const CARD: Card = Card {
-        name: match PARTS {
-            100 => "1 % of Euler in peskin-rk2",
-            1000 => "10 % of Euler in peskin-rk2",
-            _ => PeskinRk2::CARD.name,
-        },
-        title: "Peskin's scheme with a part of Euler's",
-        family: "test",
-        source: "none",
-        claims: &[Claim::Order(2)],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: match PARTS {
+                100 => "1 % of Euler in peskin-rk2",
+                1000 => "10 % of Euler in peskin-rk2",
+                _ => PeskinRk2.card().name,
+            },
+            title: "Peskin's scheme with a part of Euler's",
+            family: "test",
+            source: "none",
+            claims: &[Claim::Order(2)],
+        }
+    }
+
     const STATES: usize = 1;
 
-    fn step<M: Model>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Model>(&self, model: &M, Step { t, h, from, to, work }: Step<M>) -> Result<(), Broken> {
         let [half] = work.buffers();
         let k0 = model.rates(t, from)?;
         model.advance(from, h / 2.0, &k0, half);
@@ -56,20 +53,17 @@ impl<const PARTS: u32> Scheme for Contaminated<PARTS> {
 }
 
 /// peskin-rk4 with its last weight off by 1e-7.
+#[derive(Clone, Copy)]
 struct OffCoefficient;
 
 impl Scheme for OffCoefficient {
-    const CARD: Card = Card { claims: &[Claim::Order(4)], ..PeskinRk4::CARD };
+    fn card(&self) -> Card {
+        Card { claims: &[Claim::Order(4)], ..PeskinRk4.card() }
+    }
+
     const STATES: usize = 2;
 
-    fn step<M: Model>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Model>(&self, model: &M, Step { t, h, from, to, work }: Step<M>) -> Result<(), Broken> {
         let [early, stage] = work.buffers();
         let k1 = model.rates(t, from)?;
         model.advance(from, h / 2.0, &k1, early);

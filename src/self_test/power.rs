@@ -73,7 +73,7 @@ fn contestants() -> Vec<Contestant> {
         scheme.card = Card { name: wrong.name, claims: wrong.claims, ..scheme.card };
         Some(scheme)
     };
-    let contaminated = [Contestant::new::<Contaminated<100>>(), Contestant::new::<Contaminated<1000>>()];
+    let contaminated = [Contestant::new(Contaminated::<100>), Contestant::new(Contaminated::<1000>)];
     MISDECLARED.iter().filter_map(claiming).chain(contaminated).collect()
 }
 

@@ -42,8 +42,8 @@ fn bent(
     other: impl Fn(&System) -> System + Send + Sync + 'static,
     shown: fn(&mut crate::model::Snapshot, &System),
 ) -> Contestant {
-    let scheme = Contestant::new::<PeskinRk2>();
-    Contestant::foreign(PeskinRk2::CARD, move |system, form, plan, store| {
+    let scheme = Contestant::new(PeskinRk2);
+    Contestant::foreign(PeskinRk2.card(), move |system, form, plan, store| {
         let other = other(system);
         scheme.stream(&other, form, plan, &mut |snapshot| {
             let mut bent = *snapshot;
@@ -57,7 +57,7 @@ fn bent(
 fn claiming(name: &str, claims: &'static [Claim]) -> Contestant {
     let all = Contestant::all();
     let mut scheme =
-        all.into_iter().find(|c| c.card.name == name).unwrap_or_else(Contestant::new::<PeskinRk2>);
+        all.into_iter().find(|c| c.card.name == name).unwrap_or_else(|| Contestant::new(PeskinRk2));
     scheme.card = Card { name: "claimant", claims, ..scheme.card };
     scheme
 }
@@ -76,7 +76,7 @@ fn judge_against(change: fn(&mut Reference), measure: Option<planted::Measure>, 
         return Vec::new();
     };
     change(&mut reference);
-    let contestant = Contestant::new::<PeskinRk2>();
+    let contestant = Contestant::new(PeskinRk2);
     let climbed = measure::climb(&contestant, &scene.system, &reference, Some(2));
     let ladder = match measure {
         Some(measure) => measured::mismeasured(&contestant, &scene.system, &reference, &climbed, measure),

@@ -3,9 +3,10 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use super::dispatch::{run_in_body_axes, run_on_any_model, run_on_points};
+use super::dispatch::{InAny, run_in_body_axes, run_on_any_model, run_on_points};
 use super::limits::Limits;
-use super::{Outcome, Plan, Program, Trajectory, substeps};
+use super::precision::Arithmetic;
+use super::{InBodyAxes, OnAnyModel, OnPoints, Outcome, Plan, Program, Trajectory, substeps};
 use crate::claim::Claim;
 use crate::model::{AnyModel, Snapshot, System, SystemError};
 use crate::schemes::{self, Card, PointScheme, Scheme, SideBySide, TurningScheme, Visitor};
@@ -53,15 +54,21 @@ pub struct Contestant {
     program: Option<Arc<Who>>,
     most_steps: u64,
     side_by_side: Option<SideBySide>,
+    pub(super) other_arithmetics: Option<Arc<dyn InAny>>,
 }
 
 impl Contestant {
     /// A scheme of any crate.
-    pub fn new<S: Scheme>() -> Contestant {
-        let side_by_side = S::SIDE_BY_SIDE;
+    pub fn new<S: Scheme>(scheme: S) -> Contestant {
+        let other_arithmetics: Arc<dyn InAny> = Arc::new(OnAnyModel(scheme.clone()));
+        let card = scheme.card();
+        let run = move |system: &System, form, plan: &Plan, store: &mut dyn FnMut(&Snapshot)| {
+            run_on_any_model(&scheme, system, form, plan, store)
+        };
         Contestant {
-            side_by_side,
-            ..Contestant::within(Limits::NONE, S::CARD, Arc::new(run_on_any_model::<S>))
+            side_by_side: S::SIDE_BY_SIDE,
+            other_arithmetics: Some(other_arithmetics),
+            ..Contestant::within(Limits::NONE, card, Arc::new(run))
         }
     }
 
@@ -74,11 +81,12 @@ impl Contestant {
             program: None,
             most_steps: MOST_STEPS,
             side_by_side: None,
+            other_arithmetics: None,
         }
     }
 
     /// A scheme in body axes, of any crate.
-    pub fn turning<S: TurningScheme>() -> Contestant {
+    pub fn turning<S: TurningScheme>(scheme: S) -> Contestant {
         let limits = Limits {
             points: false,
             velocity_forces: S::TAKES_VELOCITY_FORCES,
@@ -87,13 +95,29 @@ impl Contestant {
             keeps_momentum: S::KEEPS_MOMENTUM,
             ..Limits::NONE
         };
-        Contestant::within(limits, S::CARD, Arc::new(run_in_body_axes::<S>))
+        let other_arithmetics: Arc<dyn InAny> = Arc::new(InBodyAxes(scheme.clone()));
+        let card = scheme.card();
+        let run = move |system: &System, form, plan: &Plan, store: &mut dyn FnMut(&Snapshot)| {
+            run_in_body_axes(&scheme, system, form, plan, store)
+        };
+        Contestant {
+            other_arithmetics: Some(other_arithmetics),
+            ..Contestant::within(limits, card, Arc::new(run))
+        }
     }
 
     /// A scheme for the mass points alone, of any crate.
-    pub fn points<S: PointScheme>() -> Contestant {
+    pub fn points<S: PointScheme>(scheme: S) -> Contestant {
         let limits = Limits { reduced: false, ..Limits::NONE };
-        Contestant::within(limits, S::CARD, Arc::new(run_on_points::<S>))
+        let other_arithmetics: Arc<dyn InAny> = Arc::new(OnPoints(scheme.clone()));
+        let card = scheme.card();
+        let run = move |system: &System, form, plan: &Plan, store: &mut dyn FnMut(&Snapshot)| {
+            run_on_points(&scheme, system, form, plan, store)
+        };
+        Contestant {
+            other_arithmetics: Some(other_arithmetics),
+            ..Contestant::within(limits, card, Arc::new(run))
+        }
     }
 
     /// The scheme's form for many free bodies side by side, if it has one.
@@ -159,6 +183,7 @@ impl Contestant {
             refusal: self.refusal.clone(),
             program: self.program.clone(),
             side_by_side: None,
+            other_arithmetics: None,
             most_steps: self.most_steps / u64::from(parts),
         })
     }
@@ -219,14 +244,14 @@ impl Contestant {
         struct Collect;
         impl Visitor for Collect {
             type Output = Contestant;
-            fn visit<S: Scheme>(&self) -> Contestant {
-                Contestant::new::<S>()
+            fn visit<S: Scheme>(&self, scheme: S) -> Contestant {
+                Contestant::new(scheme)
             }
-            fn visit_turning<S: TurningScheme>(&self) -> Contestant {
-                Contestant::turning::<S>()
+            fn visit_turning<S: TurningScheme>(&self, scheme: S) -> Contestant {
+                Contestant::turning(scheme)
             }
-            fn visit_points<S: PointScheme>(&self) -> Contestant {
-                Contestant::points::<S>()
+            fn visit_points<S: PointScheme>(&self, scheme: S) -> Contestant {
+                Contestant::points(scheme)
             }
         }
         schemes::visit_all(&Collect)
@@ -261,6 +286,19 @@ impl Contestant {
         store: &mut dyn FnMut(&Snapshot),
     ) -> Outcome {
         (self.run)(system, form, plan, store)
+    }
+
+    /// Runs in an arithmetic other than f64. The step is the time that the plan covers over its steps, in that arithmetic.
+    ///
+    /// A program and a solver of another crate run in f64 alone.
+    pub fn stream_in<T: Arithmetic>(
+        &self,
+        system: &System<T>,
+        form: Form,
+        plan: &Plan,
+        store: &mut dyn FnMut(&Snapshot<T>),
+    ) -> Outcome {
+        T::stream(self, system, form, plan, store)
     }
 
     /// Runs and keeps the stored states.

@@ -30,6 +30,7 @@ impl<'a, M> Counted<'a, M> {
 }
 
 impl<M: Model> Model for Counted<'_, M> {
+    type Real = M::Real;
     type State = M::State;
     type Rates = M::Rates;
 
@@ -38,13 +39,13 @@ impl<M: Model> Model for Counted<'_, M> {
     }
 
     #[inline(always)]
-    fn rates(&self, t: f64, state: &M::State) -> Result<M::Rates, Broken> {
+    fn rates(&self, t: M::Real, state: &M::State) -> Result<M::Rates, Broken> {
         self.evaluations.set(self.evaluations.get() + 1);
         self.model.rates(t, state)
     }
 
     #[inline(always)]
-    fn advance(&self, from: &M::State, s: f64, rates: &M::Rates, into: &mut M::State) {
+    fn advance(&self, from: &M::State, s: M::Real, rates: &M::Rates, into: &mut M::State) {
         self.model.advance(from, s, rates, into);
     }
 
@@ -52,7 +53,7 @@ impl<M: Model> Model for Counted<'_, M> {
         self.model.is_finite(state)
     }
 
-    fn observe(&self, t: f64, state: &M::State) -> Result<Snapshot, Broken> {
+    fn observe(&self, t: M::Real, state: &M::State) -> Result<Snapshot<M::Real>, Broken> {
         self.model.observe(t, state)
     }
 
@@ -65,59 +66,59 @@ impl<M: Model> Model for Counted<'_, M> {
 
 impl<M: Turning> Turning for Counted<'_, M> {
     #[inline(always)]
-    fn rotational(&self) -> &Rotational {
+    fn rotational(&self) -> &Rotational<M::Real> {
         self.model.rotational()
     }
 
     #[inline(always)]
-    fn attitude(&self, state: &M::State) -> Rotation {
+    fn attitude(&self, state: &M::State) -> Rotation<M::Real> {
         self.model.attitude(state)
     }
 
     #[inline(always)]
-    fn momentum(&self, state: &M::State) -> Vector3<f64> {
+    fn momentum(&self, state: &M::State) -> Vector3<M::Real> {
         self.model.momentum(state)
     }
 
     #[inline(always)]
-    fn place(&self, state: &mut M::State, attitude: Rotation, momentum: Vector3<f64>) {
+    fn place(&self, state: &mut M::State, attitude: Rotation<M::Real>, momentum: Vector3<M::Real>) {
         self.model.place(state, attitude, momentum);
     }
 
     #[inline(always)]
     fn rates_at_stage(
         &self,
-        t: f64,
-        held: (&M::State, f64, &M::Rates),
-        q: (&Quaternion<f64>, f64),
+        t: M::Real,
+        held: (&M::State, M::Real, &M::Rates),
+        q: (&Quaternion<M::Real>, M::Real),
         stage: &mut M::State,
-    ) -> Result<(M::Rates, Quaternion<f64>), Broken> {
+    ) -> Result<(M::Rates, Quaternion<M::Real>), Broken> {
         self.evaluations.set(self.evaluations.get() + 1);
         self.model.rates_at_stage(t, held, q, stage)
     }
 
     #[inline(always)]
-    fn spin_of(&self, rates: &M::Rates) -> Vector3<f64> {
+    fn spin_of(&self, rates: &M::Rates) -> Vector3<M::Real> {
         self.model.spin_of(rates)
     }
 
     #[inline(always)]
-    fn torque_of(&self, rates: &M::Rates) -> Vector3<f64> {
+    fn torque_of(&self, rates: &M::Rates) -> Vector3<M::Real> {
         self.model.torque_of(rates)
     }
 
     #[inline(always)]
-    fn kick(&self, state: &mut M::State, s: f64, rates: &M::Rates) {
+    fn kick(&self, state: &mut M::State, s: M::Real, rates: &M::Rates) {
         self.model.kick(state, s, rates);
     }
 
     #[inline(always)]
-    fn drift(&self, state: &mut M::State, s: f64) {
+    fn drift(&self, state: &mut M::State, s: M::Real) {
         self.model.drift(state, s);
     }
 
     #[inline(always)]
-    fn apart(&self, a: &M::State, b: &M::State) -> f64 {
+    fn apart(&self, a: &M::State, b: &M::State) -> M::Real {
         self.model.apart(a, b)
     }
 
@@ -132,7 +133,7 @@ impl<M: Pointwise> Pointwise for Counted<'_, M> {
     fn advance_straight(
         &self,
         from: &M::State,
-        s: f64,
+        s: M::Real,
         rates: &M::Rates,
         at: &M::State,
         into: &mut M::State,
@@ -141,7 +142,7 @@ impl<M: Pointwise> Pointwise for Counted<'_, M> {
     }
 
     #[inline(always)]
-    fn rates_on_levers(&self, t: f64, state: &M::State, levers: &M::State) -> Result<M::Rates, Broken> {
+    fn rates_on_levers(&self, t: M::Real, state: &M::State, levers: &M::State) -> Result<M::Rates, Broken> {
         self.evaluations.set(self.evaluations.get() + 1);
         self.model.rates_on_levers(t, state, levers)
     }

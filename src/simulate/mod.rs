@@ -11,17 +11,19 @@ mod program;
 mod counted;
 mod dispatch;
 mod limits;
+mod precision;
 
-use std::marker::PhantomData;
 use std::time::Instant;
 
+use crate::arithmetic::Real;
 use crate::interrupt;
 use crate::model::{Broken, Model, Pointwise, Snapshot, Turning};
-use crate::schemes::{PointScheme, Scheme, TurningScheme, Workspace};
+use crate::schemes::{PointScheme, Scheme, Step, TurningScheme, Workspace};
 
 use counted::Counted;
 
 pub use contestant::{Contestant, Form};
+pub use precision::{Arithmetic, Precision};
 pub use program::Program;
 
 /// Steps between two checks that the state is finite.
@@ -42,6 +44,14 @@ impl Plan {
     /// A run over `duration` [s] in equal steps, with states stored at `samples` equal intervals of it.
     pub fn over(duration: f64, steps: u64, samples: u64) -> Plan {
         Plan { step: duration / steps as f64, steps, every: (steps / samples).max(1) }
+    }
+
+    /// h in the arithmetic of a run: the time that the plan covers over its steps. In f64 that is the step as stated.
+    fn step_in<T: Real>(&self) -> T {
+        if T::UNIT == f64::UNIT || self.steps == 0 {
+            return T::of(self.step);
+        }
+        T::of(self.step * self.steps as f64) / self.steps as f64
     }
 }
 
@@ -104,78 +114,50 @@ pub struct Trajectory {
 }
 
 /// A step on a model: lets one loop drive schemes for every model and schemes in body axes.
-trait Step<M: Model> {
+trait Stepping<M: Model> {
     const STATES: usize;
 
-    fn step(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken>;
+    fn step(&self, model: &M, step: Step<M>) -> Result<(), Broken>;
 }
 
 /// A scheme for every model.
-struct OnAnyModel<S>(PhantomData<S>);
+struct OnAnyModel<S>(S);
 
-impl<S: Scheme, M: Model> Step<M> for OnAnyModel<S> {
+impl<S: Scheme, M: Model> Stepping<M> for OnAnyModel<S> {
     const STATES: usize = S::STATES;
 
     #[inline(always)]
-    fn step(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
-        S::step(model, t, h, from, to, work)
+    fn step(&self, model: &M, step: Step<M>) -> Result<(), Broken> {
+        self.0.step(model, step)
     }
 }
 
 /// A scheme in body axes.
-struct InBodyAxes<S>(PhantomData<S>);
+struct InBodyAxes<S>(S);
 
-impl<S: TurningScheme, M: Turning> Step<M> for InBodyAxes<S> {
+impl<S: TurningScheme, M: Turning> Stepping<M> for InBodyAxes<S> {
     const STATES: usize = S::STATES;
 
     #[inline(always)]
-    fn step(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
-        S::step(model, t, h, from, to, work)
+    fn step(&self, model: &M, step: Step<M>) -> Result<(), Broken> {
+        self.0.step(model, step)
     }
 }
 
 /// A scheme for the mass points alone.
-struct OnPoints<S>(PhantomData<S>);
+struct OnPoints<S>(S);
 
-impl<S: PointScheme, M: Pointwise> Step<M> for OnPoints<S> {
+impl<S: PointScheme, M: Pointwise> Stepping<M> for OnPoints<S> {
     const STATES: usize = S::STATES;
 
     #[inline(always)]
-    fn step(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
-        S::step(model, t, h, from, to, work)
+    fn step(&self, model: &M, step: Step<M>) -> Result<(), Broken> {
+        self.0.step(model, step)
     }
 }
 
 /// A run on its way, whatever scheme and model it is compiled for.
-trait Drive {
+trait Drive<T: Real> {
     /// Steps from `from` to `to`, counted from the start of the run; where one fails, its number.
     fn advance(&mut self, from: u64, to: u64) -> Result<(), (u64, Broken)>;
 
@@ -188,8 +170,8 @@ trait Drive {
     /// Whether every number of the present state is finite.
     fn is_finite(&self) -> bool;
 
-    /// The present state at time `t` [s].
-    fn observe(&self, t: f64) -> Result<Snapshot, Broken>;
+    /// The present state, after `n` steps.
+    fn observe(&self, n: u64) -> Result<Snapshot<T>, Broken>;
 
     /// Puts what was counted into an outcome.
     fn tell(&self, outcome: &mut Outcome);
@@ -198,24 +180,25 @@ trait Drive {
 /// The buffers of a run, made once.
 struct Stepper<'a, S, M: Model> {
     model: Counted<'a, M>,
-    step: f64,
+    step: M::Real,
     now: M::State,
     next: M::State,
     kept: M::State,
     work: Workspace<Counted<'a, M>>,
     kept_work: Workspace<Counted<'a, M>>,
-    scheme: PhantomData<S>,
+    scheme: S,
 }
 
-impl<'a, S: Step<Counted<'a, M>>, M: Model> Drive for Stepper<'a, S, M> {
+impl<'a, S: Stepping<Counted<'a, M>>, M: Model> Drive<M::Real> for Stepper<'a, S, M> {
     fn advance(&mut self, from: u64, to: u64) -> Result<(), (u64, Broken)> {
         // Places are exchanged, not states: those of a small model would be copied with every step.
         let (mut now, mut next) = (&mut self.now, &mut self.next);
         let mut result = Ok(());
         let mut taken = 0;
         for n in from..to {
-            let t = n as f64 * self.step;
-            if let Err(why) = S::step(&self.model, t, self.step, now, next, &mut self.work) {
+            let t = self.step * n as f64;
+            let step = Step { t, h: self.step, from: now, to: next, work: &mut self.work };
+            if let Err(why) = self.scheme.step(&self.model, step) {
                 result = Err((n + 1, why));
                 break;
             }
@@ -244,8 +227,8 @@ impl<'a, S: Step<Counted<'a, M>>, M: Model> Drive for Stepper<'a, S, M> {
         self.model.is_finite(&self.now)
     }
 
-    fn observe(&self, t: f64) -> Result<Snapshot, Broken> {
-        self.model.observe(t, &self.now)
+    fn observe(&self, n: u64) -> Result<Snapshot<M::Real>, Broken> {
+        self.model.observe(self.step * n as f64, &self.now)
     }
 
     fn tell(&self, outcome: &mut Outcome) {
@@ -254,7 +237,7 @@ impl<'a, S: Step<Counted<'a, M>>, M: Model> Drive for Stepper<'a, S, M> {
 }
 
 /// Steps and checks the result. Where it is not finite, the steps are taken again one by one to find the first that was not.
-fn advance_checked(run: &mut dyn Drive, from: u64, to: u64) -> Result<(), (u64, Broken)> {
+fn advance_checked<T: Real>(run: &mut dyn Drive<T>, from: u64, to: u64) -> Result<(), (u64, Broken)> {
     run.keep();
     let result = run.advance(from, to);
     if result.is_ok() && run.is_finite() {
@@ -270,34 +253,35 @@ fn advance_checked(run: &mut dyn Drive, from: u64, to: u64) -> Result<(), (u64, 
     result
 }
 
-fn run<'a, S: Step<Counted<'a, M>>, M: Model>(
+fn run<'a, S: Stepping<Counted<'a, M>>, M: Model>(
+    scheme: S,
     model: &'a M,
     plan: &Plan,
-    store: &mut dyn FnMut(&Snapshot),
+    store: &mut dyn FnMut(&Snapshot<M::Real>),
 ) -> Outcome {
     let start = model.start();
     let work = || Workspace::new(&start, S::STATES);
     let mut stepper = Stepper::<S, M> {
         model: Counted::new(model),
-        step: plan.step,
+        step: plan.step_in(),
         next: start.clone(),
         kept: start.clone(),
         kept_work: work(),
         work: work(),
         now: start,
-        scheme: PhantomData,
+        scheme,
     };
     drive(&mut stepper, plan, store)
 }
 
 /// Takes a run to its end, or to where it breaks.
-fn drive(run: &mut dyn Drive, plan: &Plan, store: &mut dyn FnMut(&Snapshot)) -> Outcome {
+fn drive<T: Real>(run: &mut dyn Drive<T>, plan: &Plan, store: &mut dyn FnMut(&Snapshot<T>)) -> Outcome {
     let mut outcome = Outcome::none_yet();
     let every = plan.every.max(1);
     let broke = |step: u64, why| Some(Break { step, time: step as f64 * plan.step, why });
     while outcome.broken.is_none() {
         if outcome.steps.is_multiple_of(every) || outcome.steps == plan.steps {
-            match run.observe(outcome.steps as f64 * plan.step) {
+            match run.observe(outcome.steps) {
                 Ok(snapshot) => store(&snapshot),
                 Err(why) => outcome.broken = broke(outcome.steps, why),
             }

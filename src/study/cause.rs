@@ -298,7 +298,7 @@ impl Wrong<'_> {
     fn forces(&self, cloud: &Cloud, orientation: &Rotation) -> Option<Forces> {
         let points = &self.system.body.points;
         let each = |factor: &dyn Fn(usize) -> f64, of: &PerPoint| {
-            PerPoint::Each((0..points.len()).map(|k| of.of(k) * factor(k)).collect())
+            PerPoint::Each((0..points.len()).map(|k| of.at(k) * factor(k)).collect())
         };
         let speed = |k: usize| rotation::length(&(cloud.velocity + cloud.spin.cross(&cloud.arms.at(k))));
         let change = |law: &Law| {

@@ -152,7 +152,7 @@ mod tests {
     #[test]
     fn steps_and_evaluations_are_counted_exactly_and_the_first_course_comes_twice() {
         let system = Scene::find("kovalevskaya").expect("built in").system;
-        let contestants = [Contestant::new::<PeskinRk2>(), Contestant::new::<Euler>()];
+        let contestants = [Contestant::new(PeskinRk2), Contestant::new(Euler)];
         let courses: Vec<Course> = contestants
             .iter()
             .map(|contestant| Course {
@@ -177,7 +177,7 @@ mod tests {
     #[test]
     fn a_course_that_breaks_has_no_cost_and_holds_up_no_other() {
         let system = Scene::find("kovalevskaya").expect("built in").system;
-        let contestant = Contestant::new::<PeskinRk2>();
+        let contestant = Contestant::new(PeskinRk2);
         let course =
             Course { contestant: &contestant, system: &system, form: Form::Least, step: 1e-3, seconds: 1e-4 };
         let costs = measure(&[course, Course { step: f64::MAX, ..course }]);

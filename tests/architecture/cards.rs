@@ -1,7 +1,7 @@
 //! What a card tells of its claims, and a workspace of its content.
 
 use nalgebra::Vector3;
-use polhode::internals::model::{AnyModel, Free};
+use polhode::internals::model::{AnyModel, Free, FreeRates};
 use polhode::model::Model;
 use polhode::schemes::{Card, Euler, PeskinRk2, Scheme, SideBySide, Workspace};
 use polhode::schemes::{Claim, Quantity, When};
@@ -36,8 +36,8 @@ fn the_name_of_a_substepped_scheme_tells_its_parts_and_its_base() {
 #[test]
 fn a_scheme_evaluates_the_rates_as_often_side_by_side_as_alone() {
     for (form, evaluations) in [
-        (Euler::SIDE_BY_SIDE, Euler::CARD.evaluations()),
-        (PeskinRk2::SIDE_BY_SIDE, PeskinRk2::CARD.evaluations()),
+        (Euler::SIDE_BY_SIDE, Euler.card().evaluations()),
+        (PeskinRk2::SIDE_BY_SIDE, PeskinRk2.card().evaluations()),
     ] {
         assert_eq!(form.map(SideBySide::evaluations), Some(u64::from(evaluations)));
     }
@@ -50,7 +50,8 @@ fn a_workspace_takes_states_and_history_of_another() {
     let mut one = Workspace::<Free>::new(&start, 2);
     let mut other = Workspace::<Free>::new(&start, 2);
     other.states[1] = start.inverse();
-    other.history.push(Vector3::x());
+    let rates = FreeRates { spin: Vector3::x() };
+    other.history.push(rates);
     one.copy_from(&other);
-    assert_eq!((one.states, one.history), (vec![start, start.inverse()], vec![Vector3::x()]));
+    assert_eq!((one.states, one.history), (vec![start, start.inverse()], vec![rates]));
 }

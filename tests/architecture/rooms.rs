@@ -40,10 +40,10 @@ const EDGES: &[(&str, &[&str])] = &[
     ("record", &["claim", "quantity", "words"]),
     ("model", &["arithmetic", "quantity", "rotation"]),
     ("ode", &["model", "rotation"]),
-    ("schemes", &["claim", "interrupt", "model", "ode", "rotation"]),
+    ("schemes", &["arithmetic", "claim", "interrupt", "model", "ode", "rotation"]),
     ("reference", &["interrupt", "model", "ode", "rotation"]),
     ("scenes", &["model", "rotation"]),
-    ("simulate", &["claim", "interrupt", "model", "rotation", "schemes"]),
+    ("simulate", &["arithmetic", "claim", "interrupt", "model", "rotation", "schemes"]),
     ("measure", &["claim", "model", "ode", "record", "reference", "rotation", "simulate"]),
     ("gates", &["claim", "measure", "model", "quantity", "record", "schemes"]),
     (
@@ -126,7 +126,20 @@ const EDGES: &[(&str, &[&str])] = &[
             "study",
         ],
     ),
-    ("prelude", &["assertion", "campaign", "model", "record", "report", "scenes", "schemes", "simulate"]),
+    (
+        "prelude",
+        &[
+            "arithmetic",
+            "assertion",
+            "campaign",
+            "model",
+            "record",
+            "report",
+            "scenes",
+            "schemes",
+            "simulate",
+        ],
+    ),
     ("guide", &["campaign", "model", "prelude", "record", "scenes", "schemes", "simulate"]),
 ];
 

@@ -5,7 +5,7 @@ use polhode::campaign::Campaign;
 use polhode::gates::Baseline;
 use polhode::model::{Broken, Model, Rates};
 use polhode::record::{Ruling, Verdict};
-use polhode::schemes::{Card, Scheme, Workspace};
+use polhode::schemes::{Card, Scheme, Step};
 use polhode::schemes::{Claim, EnergyOfFreeBody};
 use polhode::simulate::Contestant;
 
@@ -115,6 +115,7 @@ fn implicit_equations_are_counted() {
 }
 
 /// Euler's method with a flaw that only another world shows.
+#[derive(Clone, Copy)]
 struct Flawed<const FLAW: u8>;
 
 /// The spin is nothing below a fixed rate.
@@ -125,27 +126,23 @@ const AXIS: u8 = 1;
 const NONE: u8 = 2;
 
 impl<const FLAW: u8> Scheme for Flawed<FLAW> {
-    const CARD: Card = Card {
-        name: "flawed",
-        title: "Euler's method with a flaw",
-        family: "test",
-        source: "none",
-        claims: &[Claim::Order(1), Claim::Equivariant],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "flawed",
+            title: "Euler's method with a flaw",
+            family: "test",
+            source: "none",
+            claims: &[Claim::Order(1), Claim::Equivariant],
+        }
+    }
+
     const STATES: usize = 0;
 
-    fn step<M: Model>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        _work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Model>(&self, model: &M, Step { t, h, from, to, .. }: Step<M>) -> Result<(), Broken> {
         let mut motion = model.rates(t, from)?.motion();
         match FLAW {
             THRESHOLD if motion.spin.norm() < 1e-6 => motion.spin = Vector3::zeros(),
-            AXIS => motion.spin.x *= 1.0 + h,
+            AXIS => motion.spin.x *= h + 1.0,
             _ => {}
         }
         model.advance(from, h, &M::Rates::of(motion), to);
@@ -163,10 +160,10 @@ fn a_rule_that_prefers_an_axis_or_a_unit_is_found_in_another_world() {
             .map(|v| v.quantity)
             .collect()
     };
-    assert_eq!(failed(Contestant::new::<Flawed<THRESHOLD>>()), ["time-1e10"]);
-    let axis = failed(Contestant::new::<Flawed<AXIS>>());
+    assert_eq!(failed(Contestant::new(Flawed::<THRESHOLD>)), ["time-1e10"]);
+    let axis = failed(Contestant::new(Flawed::<AXIS>));
     assert!(axis.contains(&"turned".to_owned()) && axis.contains(&"binary-units".to_owned()), "{axis:?}");
-    assert_eq!(failed(Contestant::new::<Flawed<NONE>>()), [""; 0]);
+    assert_eq!(failed(Contestant::new(Flawed::<NONE>)), [""; 0]);
 }
 
 #[test]

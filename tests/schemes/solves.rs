@@ -4,7 +4,7 @@ use polhode::campaign::Campaign;
 use polhode::model::{Broken, Model};
 use polhode::record::{ClaimName, Ruling};
 use polhode::schemes::Claim;
-use polhode::schemes::{Card, Scheme, Workspace};
+use polhode::schemes::{Card, Scheme, Step};
 use polhode::simulate::{Contestant, Form, Plan};
 
 use crate::common::scene;
@@ -50,26 +50,23 @@ fn equations_are_solved_as_fast_in_any_unit_of_time() {
 }
 
 /// Euler's rule that finds no solution: of a step larger than so many parts of 1e-9 s.
+#[derive(Clone, Copy)]
 struct Unsolved<const UP_TO: u32>;
 
 impl<const UP_TO: u32> Scheme for Unsolved<UP_TO> {
-    const CARD: Card = Card {
-        name: "unsolved",
-        title: "finds no solution",
-        family: "test",
-        source: "none",
-        claims: &[Claim::Order(1), Claim::Evaluations(1)],
-    };
+    fn card(&self) -> Card {
+        Card {
+            name: "unsolved",
+            title: "finds no solution",
+            family: "test",
+            source: "none",
+            claims: &[Claim::Order(1), Claim::Evaluations(1)],
+        }
+    }
+
     const STATES: usize = 0;
 
-    fn step<M: Model>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        _work: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Model>(&self, model: &M, Step { t, h, from, to, .. }: Step<M>) -> Result<(), Broken> {
         if h > f64::from(UP_TO) * 1e-9 {
             return Err(Broken::NoConvergence { iterations: 100, residual: 1.0, tolerance: 1e-12 });
         }
@@ -86,11 +83,11 @@ fn a_ladder_without_a_solution_at_its_finest_step_is_undecided_and_one_that_gets
         own.map(|verdict| verdict.verdict).collect()
     };
     // The finest step of a ladder of eight seconds is of 6e-5 s or more.
-    for contestant in [Contestant::new::<Unsolved<0>>(), Contestant::new::<Unsolved<1000>>()] {
+    for contestant in [Contestant::new(Unsolved::<0>), Contestant::new(Unsolved::<1000>)] {
         assert_eq!(rulings(contestant.clone(), ClaimName::Run), [Ruling::Inconclusive]);
         assert!(rulings(contestant, ClaimName::Order).is_empty());
     }
     // Steps of a hundredth of a second and less have a solution.
-    let orders = rulings(Contestant::new::<Unsolved<10_000_000>>(), ClaimName::Order);
+    let orders = rulings(Contestant::new(Unsolved::<10_000_000>), ClaimName::Order);
     assert!(orders.contains(&Ruling::Pass) && !orders.contains(&Ruling::Fail), "{orders:?}");
 }

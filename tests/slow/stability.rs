@@ -6,7 +6,7 @@ use polhode::model::{Broken, Model};
 use polhode::record::stability::{LimitStatus, LongRunClass, Stability};
 use polhode::scenes::Scene;
 use polhode::schemes::Claim;
-use polhode::schemes::{Card, Scheme, Workspace};
+use polhode::schemes::{Card, Scheme, Step};
 use polhode::simulate::Contestant;
 
 use crate::common::{contestant, scene};
@@ -147,30 +147,26 @@ fn flips_are_held_against_their_exact_times() {
 }
 
 /// A scheme that returns NaN from a time on: a failed run that must stay a row.
+#[derive(Clone, Copy)]
 struct Spoiled;
 
 impl Scheme for Spoiled {
-    const CARD: Card =
-        Card { name: "spoiled", title: "NaN", family: "test", source: "none", claims: &[Claim::Order(1)] };
+    fn card(&self) -> Card {
+        Card { name: "spoiled", title: "NaN", family: "test", source: "none", claims: &[Claim::Order(1)] }
+    }
+
     const STATES: usize = 0;
 
-    fn step<M: Model>(
-        model: &M,
-        t: f64,
-        h: f64,
-        from: &M::State,
-        to: &mut M::State,
-        _: &mut Workspace<M>,
-    ) -> Result<(), Broken> {
+    fn step<M: Model>(&self, model: &M, Step { t, h, from, to, .. }: Step<M>) -> Result<(), Broken> {
         let rates = model.rates(t, from)?;
-        model.advance(from, if h > 0.05 { f64::NAN } else { h }, &rates, to);
+        model.advance(from, if h > 0.05 { h * f64::NAN } else { h }, &rates, to);
         Ok(())
     }
 }
 
 #[test]
 fn a_run_that_breaks_is_a_row_and_a_cell_and_ends_nothing() {
-    let contestant = Contestant::new::<Spoiled>();
+    let contestant = Contestant::new(Spoiled);
     let rows = limits("heavy-asymmetric-top", &contestant, &truth("heavy-asymmetric-top"));
     assert_eq!(rows[0].status, LimitStatus::Limit);
     assert_eq!(rows[0].failure.as_deref(), Some("NaN or overflow"));

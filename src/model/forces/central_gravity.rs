@@ -5,44 +5,50 @@
 use nalgebra::Vector3;
 
 use super::{Load, Pose, to_principal};
+use crate::arithmetic::Real;
 use crate::model::body::{Body, MassPoint};
 use crate::rotation;
 
 /// F_k = −μ M_k d/|d|³, d = X_k − center.
 #[derive(Clone, Debug, PartialEq)]
-pub struct CentralGravity {
+pub struct CentralGravity<T: Real = f64> {
     /// μ [m³/s²].
-    pub mu: f64,
+    pub mu: T,
     /// Centre [m], world.
-    pub center: Vector3<f64>,
+    pub center: Vector3<T>,
 }
 
 #[derive(Clone, Debug)]
-pub(super) struct Reduced {
-    law: CentralGravity,
-    points: Vec<MassPoint>,
+pub(super) struct Reduced<T: Real = f64> {
+    law: CentralGravity<T>,
+    points: Vec<MassPoint<T>>,
 }
 
-impl CentralGravity {
-    pub(super) fn reduce(&self, body: &Body) -> Reduced {
+impl<T: Real> CentralGravity<T> {
+    /// The same law in this arithmetic.
+    pub(super) fn of(law: &CentralGravity) -> CentralGravity<T> {
+        CentralGravity { mu: T::of(law.mu), center: law.center.map(T::of) }
+    }
+
+    pub(super) fn reduce(&self, body: &Body<T>) -> Reduced<T> {
         let to_principal_axes =
-            |p: &MassPoint| MassPoint { mass: p.mass, position: to_principal(body, &p.position) };
+            |p: &MassPoint<T>| MassPoint { mass: p.mass, position: to_principal(body, &p.position) };
         Reduced { law: self.clone(), points: body.points.iter().map(to_principal_axes).collect() }
     }
 
-    pub(super) fn force(&self, mass: f64, position: &Vector3<f64>) -> Vector3<f64> {
+    pub(super) fn force(&self, mass: T, position: &Vector3<T>) -> Vector3<T> {
         let d = position - self.center;
         let distance = rotation::length(&d);
         d * (-self.mu * mass / (distance * distance * distance))
     }
 
-    pub(super) fn potential(&self, mass: f64, position: &Vector3<f64>) -> f64 {
+    pub(super) fn potential(&self, mass: T, position: &Vector3<T>) -> T {
         -self.mu * mass / rotation::length(&(position - self.center))
     }
 }
 
-impl Reduced {
-    pub(super) fn add(&self, pose: &Pose, load: &mut Load) {
+impl<T: Real> Reduced<T> {
+    pub(super) fn add(&self, pose: &Pose<T>, load: &mut Load<T>) {
         for point in &self.points {
             let arm = pose.axes * point.position;
             load.push(&arm, &self.law.force(point.mass, &(pose.origin + arm)));

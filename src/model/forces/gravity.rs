@@ -3,29 +3,35 @@
 use nalgebra::Vector3;
 
 use super::{Cloud, Load, Pose, to_principal};
+use crate::arithmetic::Real;
 use crate::model::body::Body;
 
 /// F_k = M_k g.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Gravity {
+pub struct Gravity<T: Real = f64> {
     /// g [m/s²], world.
-    pub acceleration: Vector3<f64>,
+    pub acceleration: Vector3<T>,
 }
 
 #[derive(Clone, Debug)]
-pub(super) struct Reduced {
-    weight: Vector3<f64>,
+pub(super) struct Reduced<T: Real = f64> {
+    weight: Vector3<T>,
     /// Centre of mass from the origin, principal axes; zero unless there is a pivot.
-    center: Vector3<f64>,
+    center: Vector3<T>,
 }
 
-impl Gravity {
-    pub(super) fn reduce(&self, body: &Body) -> Reduced {
+impl<T: Real> Gravity<T> {
+    /// The same law in this arithmetic.
+    pub(super) fn of(law: &Gravity) -> Gravity<T> {
+        Gravity { acceleration: law.acceleration.map(T::of) }
+    }
+
+    pub(super) fn reduce(&self, body: &Body<T>) -> Reduced<T> {
         Reduced { weight: self.acceleration * body.mass, center: to_principal(body, &body.center) }
     }
 
     /// A body without mass points still has its weight.
-    pub(super) fn add_on_points(&self, cloud: &Cloud, load: &mut Load) {
+    pub(super) fn add_on_points(&self, cloud: &Cloud<T>, load: &mut Load<T>) {
         if cloud.masses.is_empty() {
             load.push(&cloud.center, &(self.acceleration * cloud.mass));
         }
@@ -34,13 +40,13 @@ impl Gravity {
         }
     }
 
-    pub(super) fn potential(&self, cloud: &Cloud) -> f64 {
+    pub(super) fn potential(&self, cloud: &Cloud<T>) -> T {
         -cloud.mass * self.acceleration.dot(&(cloud.origin + cloud.center))
     }
 }
 
-impl Reduced {
-    pub(super) fn add(&self, pose: &Pose, load: &mut Load) {
+impl<T: Real> Reduced<T> {
+    pub(super) fn add(&self, pose: &Pose<T>, load: &mut Load<T>) {
         load.push(&(pose.axes * self.center), &self.weight);
     }
 }

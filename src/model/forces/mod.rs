@@ -32,29 +32,30 @@ pub use torque::{Torque, TorqueAxes};
 use nalgebra::{Matrix3, Vector3};
 
 use super::body::Body;
+use crate::arithmetic::Real;
 use pose::{each_point, sum_points};
 
 /// A force law as a scene states it.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Law {
+pub enum Law<T: Real = f64> {
     /// F_k = M_k g.
-    Gravity(Gravity),
+    Gravity(Gravity<T>),
     /// A spring with damper from a point of the body to an anchor.
-    Spring(Spring),
+    Spring(Spring<T>),
     /// F_k = −c_k U_k.
-    Drag(Drag),
+    Drag(Drag<T>),
     /// F_k = −μ M_k d/|d|³.
-    CentralGravity(CentralGravity),
+    CentralGravity(CentralGravity<T>),
     /// F_k = q_k (E(t) + U_k × B).
-    Lorentz(Lorentz),
+    Lorentz(Lorentz<T>),
     /// A torque that depends on time alone.
-    Torque(Torque),
+    Torque(Torque<T>),
     /// τ = m × B.
-    Dipole(Dipole),
+    Dipole(Dipole<T>),
     /// τ = 3 μ/r³ (r̂ × I r̂).
-    GravityGradient(GravityGradient),
+    GravityGradient(GravityGradient<T>),
     /// A one-sided elastic plane with friction.
-    Ground(Ground),
+    Ground(Ground<T>),
 }
 
 impl Law {
@@ -70,6 +71,23 @@ impl Law {
         ("gravity-gradient", "tau = 3 mu/r^3 (r x I r), r a unit vector turning at a rate"),
         ("ground", "F_k = (k d - c U_k.n)+ n and friction -mu N s/sqrt(s.s + v0^2), d = height - X_k.n > 0"),
     ];
+}
+
+impl<T: Real> Law<T> {
+    /// The same law in this arithmetic.
+    pub(crate) fn of(law: &Law) -> Law<T> {
+        match law {
+            Law::Gravity(law) => Law::Gravity(Gravity::of(law)),
+            Law::Spring(law) => Law::Spring(Spring::of(law)),
+            Law::Drag(law) => Law::Drag(Drag::of(law)),
+            Law::CentralGravity(law) => Law::CentralGravity(CentralGravity::of(law)),
+            Law::Lorentz(law) => Law::Lorentz(Lorentz::of(law)),
+            Law::Torque(law) => Law::Torque(Torque::of(law)),
+            Law::Dipole(law) => Law::Dipole(Dipole::of(law)),
+            Law::GravityGradient(law) => Law::GravityGradient(GravityGradient::of(law)),
+            Law::Ground(law) => Law::Ground(Ground::of(law)),
+        }
+    }
 
     /// Name of the law as in a scene file.
     pub fn name(&self) -> &'static str {
@@ -84,7 +102,7 @@ impl Law {
             Law::GravityGradient(_) => 7,
             Law::Ground(_) => 8,
         };
-        Law::NAMES[index].0
+        Law::<f64>::NAMES[index].0
     }
 
     /// Whether the law is a torque without a force.
@@ -105,46 +123,46 @@ impl Law {
 
 /// The laws of a scene, bound to its body.
 #[derive(Clone, Debug, Default)]
-pub struct Forces {
-    laws: Vec<Law>,
-    reduced: Vec<Reduced>,
-    markers: Vec<Vector3<f64>>,
+pub struct Forces<T: Real = f64> {
+    laws: Vec<Law<T>>,
+    reduced: Vec<Reduced<T>>,
+    markers: Vec<Vector3<T>>,
 }
 
 /// A law with its sums over the points taken, in principal axes.
 #[derive(Clone, Debug)]
-enum Reduced {
-    Gravity(gravity::Reduced),
-    Spring(spring::Reduced),
-    Drag(drag::Reduced),
-    CentralGravity(central_gravity::Reduced),
-    Lorentz(lorentz::Reduced),
-    Torque(torque::Reduced),
-    Dipole(dipole::Reduced),
-    GravityGradient(gravity_gradient::Reduced),
-    Ground(ground::Reduced),
+enum Reduced<T: Real = f64> {
+    Gravity(gravity::Reduced<T>),
+    Spring(spring::Reduced<T>),
+    Drag(drag::Reduced<T>),
+    CentralGravity(central_gravity::Reduced<T>),
+    Lorentz(lorentz::Reduced<T>),
+    Torque(torque::Reduced<T>),
+    Dipole(dipole::Reduced<T>),
+    GravityGradient(gravity_gradient::Reduced<T>),
+    Ground(ground::Reduced<T>),
 }
 
-impl Forces {
+impl<T: Real> Forces<T> {
     /// Binds laws to a body. The caller has checked that indices and lists fit the body's points.
-    pub fn new(laws: Vec<Law>, body: &Body) -> Forces {
+    pub fn new(laws: Vec<Law<T>>, body: &Body<T>) -> Forces<T> {
         let reduced = laws.iter().map(|law| reduce(law, body)).collect();
         let markers = laws.iter().filter_map(Law::marker).collect();
         Forces { laws, reduced, markers }
     }
 
     /// The laws as stated.
-    pub fn laws(&self) -> &[Law] {
+    pub fn laws(&self) -> &[Law<T>] {
         &self.laws
     }
 
     /// Massless points that carry a force [m], body axes, relative to the origin, in the order of their springs.
-    pub fn markers(&self) -> &[Vector3<f64>] {
+    pub fn markers(&self) -> &[Vector3<T>] {
         &self.markers
     }
 
     /// Force and torque in the reduced form.
-    pub fn load(&self, t: f64, pose: &Pose) -> Load {
+    pub fn load(&self, t: T, pose: &Pose<T>) -> Load<T> {
         let mut load = Load::default();
         for law in &self.reduced {
             match law {
@@ -163,7 +181,7 @@ impl Forces {
     }
 
     /// Force and torque summed over the points, as the note writes them.
-    pub fn load_on_points(&self, t: f64, cloud: &Cloud) -> Load {
+    pub fn load_on_points(&self, t: T, cloud: &Cloud<T>) -> Load<T> {
         let mut load = Load::default();
         let mut marker = cloud.masses.len();
         for law in &self.laws {
@@ -192,9 +210,9 @@ impl Forces {
     }
 
     /// Potential energy [J]; `None` where a law has no potential.
-    pub fn potential(&self, cloud: &Cloud) -> Option<f64> {
+    pub fn potential(&self, cloud: &Cloud<T>) -> Option<T> {
         let mut marker = cloud.masses.len();
-        let mut total = 0.0;
+        let mut total = T::zero();
         for law in &self.laws {
             total += match law {
                 Law::Gravity(law) => law.potential(cloud),
@@ -238,14 +256,14 @@ impl Forces {
     }
 
     /// The fastest that a law goes round by itself [rad/s]; 0 where none reads the time.
-    pub fn fastest_clock(&self) -> f64 {
-        let rate = |law: &Law| match law {
+    pub fn fastest_clock(&self) -> T {
+        let rate = |law: &Law<T>| match law {
             Law::Lorentz(lorentz) if !lorentz.is_static() => lorentz.frequency,
             Law::Torque(torque) => torque.frequency,
             Law::GravityGradient(gradient) => gradient.rate,
-            _ => 0.0,
+            _ => T::zero(),
         };
-        self.laws.iter().map(|law| rate(law).abs()).fold(0.0, f64::max)
+        self.laws.iter().map(|law| rate(law).abs()).fold(T::zero(), T::max)
     }
 
     /// Whether every law conserves the total energy.
@@ -261,8 +279,8 @@ impl Forces {
     }
 }
 
-impl Law {
-    fn marker(&self) -> Option<Vector3<f64>> {
+impl<T: Real> Law<T> {
+    fn marker(&self) -> Option<Vector3<T>> {
         match self {
             Law::Spring(Spring { attachment: Attachment::At(position), .. }) => Some(*position),
             _ => None,
@@ -270,7 +288,7 @@ impl Law {
     }
 }
 
-fn reduce(law: &Law, body: &Body) -> Reduced {
+fn reduce<T: Real>(law: &Law<T>, body: &Body<T>) -> Reduced<T> {
     match law {
         Law::Gravity(law) => Reduced::Gravity(law.reduce(body)),
         Law::Spring(law) => Reduced::Spring(law.reduce(body)),
@@ -285,12 +303,12 @@ fn reduce(law: &Law, body: &Body) -> Reduced {
 }
 
 /// A vector in body axes, taken to principal axes.
-fn to_principal(body: &Body, vector: &Vector3<f64>) -> Vector3<f64> {
+fn to_principal<T: Real>(body: &Body<T>, vector: &Vector3<T>) -> Vector3<T> {
     body.principal.inverse() * vector
 }
 
 /// A symmetric tensor in body axes, taken to principal axes.
-fn tensor_to_principal(body: &Body, tensor: &Matrix3<f64>) -> Matrix3<f64> {
+fn tensor_to_principal<T: Real>(body: &Body<T>, tensor: &Matrix3<T>) -> Matrix3<T> {
     let axes = body.principal.to_rotation_matrix().into_inner();
     axes.transpose() * tensor * axes
 }

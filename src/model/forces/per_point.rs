@@ -1,18 +1,28 @@
 //! Charges, coefficients: what mass points have one value of each.
 
+use crate::arithmetic::Real;
+
 /// One value for every mass point, or one each: charges, drag coefficients.
 #[derive(Clone, Debug, PartialEq)]
-pub enum PerPoint {
+pub enum PerPoint<T: Real = f64> {
     /// The same for all.
-    Same(f64),
+    Same(T),
     /// In the order of the points.
-    Each(Vec<f64>),
+    Each(Vec<T>),
 }
 
-impl PerPoint {
+impl<T: Real> PerPoint<T> {
+    /// The same values in this arithmetic.
+    pub(super) fn of(values: &PerPoint) -> PerPoint<T> {
+        match values {
+            PerPoint::Same(value) => PerPoint::Same(T::of(*value)),
+            PerPoint::Each(values) => PerPoint::Each(values.iter().map(|value| T::of(*value)).collect()),
+        }
+    }
+
     /// The value of point `index`.
     #[inline]
-    pub fn of(&self, index: usize) -> f64 {
+    pub fn at(&self, index: usize) -> T {
         match self {
             PerPoint::Same(value) => *value,
             PerPoint::Each(values) => values[index],
@@ -20,10 +30,10 @@ impl PerPoint {
     }
 
     /// All of them times `factor`.
-    pub fn scaled(&self, factor: f64) -> PerPoint {
+    pub fn scaled(&self, factor: T) -> PerPoint<T> {
         match self {
-            PerPoint::Same(value) => PerPoint::Same(value * factor),
-            PerPoint::Each(values) => PerPoint::Each(values.iter().map(|value| value * factor).collect()),
+            PerPoint::Same(value) => PerPoint::Same(*value * factor),
+            PerPoint::Each(values) => PerPoint::Each(values.iter().map(|value| *value * factor).collect()),
         }
     }
 }

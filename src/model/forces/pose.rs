@@ -1,20 +1,21 @@
 //! What laws are told of a body in motion, and what they answer.
 
+use crate::arithmetic::Real;
 use nalgebra::{Matrix3, Vector3};
 
 /// Force and torque about the origin.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Load {
+pub struct Load<T: Real = f64> {
     /// F [N], world.
-    pub force: Vector3<f64>,
+    pub force: Vector3<T>,
     /// τ about the origin [N m], world.
-    pub torque: Vector3<f64>,
+    pub torque: Vector3<T>,
 }
 
-impl Load {
+impl<T: Real> Load<T> {
     /// Adds a force that acts at `arm` from the origin [m], world.
     #[inline]
-    pub fn push(&mut self, arm: &Vector3<f64>, force: &Vector3<f64>) {
+    pub fn push(&mut self, arm: &Vector3<T>, force: &Vector3<T>) {
         self.force += force;
         self.torque += arm.cross(force);
     }
@@ -22,45 +23,45 @@ impl Load {
 
 /// Where a body is and how it moves.
 #[derive(Clone, Copy, Debug)]
-pub struct Pose {
+pub struct Pose<T: Real = f64> {
     /// Takes principal axes to world axes.
-    pub axes: Matrix3<f64>,
+    pub axes: Matrix3<T>,
     /// Position of the origin [m], world.
-    pub origin: Vector3<f64>,
+    pub origin: Vector3<T>,
     /// Velocity of the origin [m/s], world.
-    pub velocity: Vector3<f64>,
+    pub velocity: Vector3<T>,
     /// Ω [rad/s], world.
-    pub spin: Vector3<f64>,
+    pub spin: Vector3<T>,
 }
 
-impl Pose {
+impl<T: Real> Pose<T> {
     /// Velocity of the body point at `arm` from the origin, U + Ω × arm [m/s].
     #[inline]
-    pub fn velocity_at(&self, arm: &Vector3<f64>) -> Vector3<f64> {
+    pub fn velocity_at(&self, arm: &Vector3<T>) -> Vector3<T> {
         self.velocity + self.spin.cross(arm)
     }
 }
 
 /// Arms of points [m], world, one by one or coordinate by coordinate.
 #[derive(Clone, Copy, Debug)]
-pub enum Arms<'a> {
+pub enum Arms<'a, T: Real = f64> {
     /// A vector a point.
-    Listed(&'a [Vector3<f64>]),
+    Listed(&'a [Vector3<T>]),
     /// A column a coordinate.
     Columns {
         /// Along the first axis.
-        x: &'a [f64],
+        x: &'a [T],
         /// Along the second.
-        y: &'a [f64],
+        y: &'a [T],
         /// Along the third.
-        z: &'a [f64],
+        z: &'a [T],
     },
 }
 
-impl Arms<'_> {
+impl<T: Real> Arms<'_, T> {
     /// The arm of a point.
     #[inline]
-    pub fn at(&self, k: usize) -> Vector3<f64> {
+    pub fn at(&self, k: usize) -> Vector3<T> {
         match self {
             Arms::Listed(arms) => arms[k],
             Arms::Columns { x, y, z } => Vector3::new(x[k], y[k], z[k]),
@@ -69,41 +70,41 @@ impl Arms<'_> {
 }
 
 /// Mass points and massless markers of a body in motion, and what their laws need besides.
-pub struct Cloud<'a> {
+pub struct Cloud<'a, T: Real = f64> {
     /// X̃ of every mass point, then of every marker [m], world.
-    pub arms: Arms<'a>,
+    pub arms: Arms<'a, T>,
     /// Lever arms of their forces [m], world: X̃ again, but in schemes that keep a force while its point moves.
-    pub levers: Arms<'a>,
+    pub levers: Arms<'a, T>,
     /// Masses of the mass points [kg].
-    pub masses: &'a [f64],
+    pub masses: &'a [T],
     /// Position of the origin [m], world.
-    pub origin: Vector3<f64>,
+    pub origin: Vector3<T>,
     /// Velocity of the origin [m/s], world.
-    pub velocity: Vector3<f64>,
+    pub velocity: Vector3<T>,
     /// Ω [rad/s], world.
-    pub spin: Vector3<f64>,
+    pub spin: Vector3<T>,
     /// Total mass [kg].
-    pub mass: f64,
+    pub mass: T,
     /// Inertia about the origin [kg m²], world.
-    pub inertia: Matrix3<f64>,
+    pub inertia: Matrix3<T>,
     /// Centre of mass from the origin [m], world.
-    pub center: Vector3<f64>,
+    pub center: Vector3<T>,
     /// Takes body axes to world axes; read by the laws of [`Law::needs_axes`](super::Law::needs_axes) alone.
-    pub axes: Matrix3<f64>,
+    pub axes: Matrix3<T>,
 }
 
-impl Cloud<'_> {
+impl<T: Real> Cloud<'_, T> {
     #[inline]
-    pub(super) fn velocity_at(&self, arm: &Vector3<f64>) -> Vector3<f64> {
+    pub(super) fn velocity_at(&self, arm: &Vector3<T>) -> Vector3<T> {
         self.velocity + self.spin.cross(arm)
     }
 }
 
 #[inline]
-pub(super) fn each_point(
-    cloud: &Cloud,
-    load: &mut Load,
-    force: impl Fn(usize, &Vector3<f64>, &Vector3<f64>) -> Vector3<f64>,
+pub(super) fn each_point<T: Real>(
+    cloud: &Cloud<T>,
+    load: &mut Load<T>,
+    force: impl Fn(usize, &Vector3<T>, &Vector3<T>) -> Vector3<T>,
 ) {
     for k in 0..cloud.masses.len() {
         let arm = cloud.arms.at(k);
@@ -112,6 +113,6 @@ pub(super) fn each_point(
 }
 
 #[inline]
-pub(super) fn sum_points(cloud: &Cloud, potential: impl Fn(usize, &Vector3<f64>) -> f64) -> f64 {
+pub(super) fn sum_points<T: Real>(cloud: &Cloud<T>, potential: impl Fn(usize, &Vector3<T>) -> T) -> T {
     (0..cloud.masses.len()).map(|k| potential(k, &(cloud.origin + cloud.arms.at(k)))).sum()
 }

@@ -2,27 +2,28 @@
 
 use nalgebra::Vector3;
 
+use crate::arithmetic::Real;
 use crate::model::{Falling, Forced, Free, PointCloud, Rotor};
 use crate::rotation::{Rotation, formulas};
 
 /// Any of the models.
 #[derive(Clone, Debug)]
-pub enum AnyModel {
+pub enum AnyModel<T: Real = f64> {
     /// Neither force nor torque.
-    Free(Free),
+    Free(Free<T>),
     /// Uniform gravity only.
-    Falling(Falling),
+    Falling(Falling<T>),
     /// Torques without force.
-    Torque(Rotor),
+    Torque(Rotor<T>),
     /// A point fixed in the world.
-    Pivot(Rotor),
+    Pivot(Rotor<T>),
     /// Forces on points.
-    Forced(Forced),
+    Forced(Forced<T>),
     /// The note as written.
-    Points(PointCloud),
+    Points(PointCloud<T>),
 }
 
-impl AnyModel {
+impl<T: Real> AnyModel<T> {
     /// Name as in records.
     pub fn name(&self) -> &'static str {
         match self {
@@ -38,28 +39,28 @@ impl AnyModel {
 
 /// What every reduced model knows about rotation: the body in its principal axes.
 #[derive(Clone, Debug)]
-pub struct Rotational {
+pub struct Rotational<T: Real = f64> {
     /// Principal moments about the origin [kg m²].
-    pub moments: Vector3<f64>,
+    pub moments: Vector3<T>,
     /// 1/moment about each principal axis [1/(kg m²)]; 0 where the body cannot spin.
-    pub inverse_moments: Vector3<f64>,
+    pub inverse_moments: Vector3<T>,
     /// Takes principal axes to world axes at t = 0.
-    pub attitude: Rotation,
+    pub attitude: Rotation<T>,
     /// Takes body axes to principal axes.
-    pub(super) body_to_principal: Rotation,
+    pub(super) body_to_principal: Rotation<T>,
 }
 
-impl Rotational {
+impl<T: Real> Rotational<T> {
     /// Ω = R I⁻¹ Rᵀ L [rad/s], world.
     #[inline(always)]
-    pub fn spin(&self, attitude: &Rotation, momentum: &Vector3<f64>) -> Vector3<f64> {
+    pub fn spin(&self, attitude: &Rotation<T>, momentum: &Vector3<T>) -> Vector3<T> {
         let columns = formulas::outer_columns([attitude.w, attitude.i, attitude.j, attitude.k]);
         formulas::spin(&columns, self.inverse_moments.into(), (*momentum).into()).into()
     }
 
     /// The orientation of the body axes.
     #[inline]
-    pub fn orientation(&self, attitude: &Rotation) -> Rotation {
+    pub fn orientation(&self, attitude: &Rotation<T>) -> Rotation<T> {
         attitude * self.body_to_principal
     }
 }

@@ -56,7 +56,7 @@ pub(super) fn on_springs(system: &System) -> Option<Translation> {
                 drag += spring.damping;
             }
             Law::Drag(law) => {
-                drag += (0..system.body.points.len()).map(|k| law.coefficient.of(k)).sum::<f64>()
+                drag += (0..system.body.points.len()).map(|k| law.coefficient.at(k)).sum::<f64>()
             }
             _ => return None,
         }

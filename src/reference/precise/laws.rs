@@ -80,7 +80,7 @@ impl<'a> Motion<'a> {
             }
             Law::Spring(spring) => self.spring(spring),
             Law::Drag(drag) => self.on_points(|motion, k, x| {
-                let coefficient = motion.scale.plain(drag.coefficient.of(k), [1, 0, -1]);
+                let coefficient = motion.scale.plain(drag.coefficient.at(k), [1, 0, -1]);
                 motion.velocity_of(x).scaled(-coefficient)
             }),
             Law::CentralGravity(central) => self.on_points(|motion, k, x| {

@@ -26,64 +26,69 @@
 //!
 //! Source: nist2010, 19.8(ii) and (iii), for the transformation of F and Π; (2), (3) and (5) derived from it here.
 
+use crate::arithmetic::Real;
+
 /// Levels: from k′ = 1e-140 the mean takes twelve.
 const LEVELS: usize = 16;
 
-/// hₙ/aₙ at the last level, whose square is below a rounding unit.
-const CLOSE: f64 = 5e-9;
+/// hₙ/aₙ at the last level: its square is below a rounding unit.
+fn close<T: Real>() -> f64 {
+    5e-9 * (T::UNIT / f64::EPSILON).sqrt()
+}
 
 /// What (4) and (5) need of a level: aₙ, bₙ, Rₙ, Rₙ₊₁ and eₙ₊₁.
 #[derive(Clone, Copy)]
-struct Level {
-    a: f64,
-    b: f64,
-    radius: f64,
-    next_radius: f64,
-    excess: f64,
+struct Level<T> {
+    a: T,
+    b: T,
+    radius: T,
+    next_radius: T,
+    excess: T,
 }
 
 /// The levels on the way up.
 #[derive(Clone)]
-pub struct Ladder {
-    levels: [Level; LEVELS],
+pub struct Ladder<T> {
+    levels: [Level<T>; LEVELS],
     count: usize,
     /// a_N, which an argument v/a₀ is multiplied by to give the angle that [`Ladder::down`] begins with.
-    pub mean: f64,
+    pub mean: T,
     /// Σ of (3).
-    pub rate: f64,
+    pub rate: T,
 }
 
 /// Jacobi's functions of an argument, and the phase of (5).
-pub struct Passage {
+pub struct Passage<T> {
     /// sn v.
-    pub sine: f64,
+    pub sine: T,
     /// cn v.
-    pub cosine: f64,
+    pub cosine: T,
     /// dn v.
-    pub delta: f64,
+    pub delta: T,
     /// 1 − dn v.
-    pub missing: f64,
+    pub missing: T,
     /// Real and imaginary part of e^{iD}, of any length.
-    pub phase: [f64; 2],
+    pub phase: [T; 2],
 }
 
-impl Ladder {
+impl<T: Real> Ladder<T> {
     /// (1)–(3) from a₀, b₀ > 0, R₀ and τ₀.
     #[inline(always)]
-    pub fn up(mut a: f64, mut b: f64, mut radius: f64, mut tau: f64) -> Ladder {
-        let mut levels = [Level { a: 0.0, b: 0.0, radius: 0.0, next_radius: 0.0, excess: 0.0 }; LEVELS];
-        let (mut count, mut rate, mut weight) = (0, 0.0, 1.0);
+    pub fn up(mut a: T, mut b: T, mut radius: T, mut tau: T) -> Ladder<T> {
+        let zero = T::zero();
+        let mut levels = [Level { a: zero, b: zero, radius: zero, next_radius: zero, excess: zero }; LEVELS];
+        let (mut count, mut rate, mut weight) = (0, zero, 1.0);
         for level in &mut levels {
-            let (mean, h) = (0.5 * (a + b), 0.5 * (a - b)); // (1)
+            let (mean, h) = ((a + b) * 0.5, (a - b) * 0.5); // (1)
             let more = tau * (h / mean);
-            let rho = (1.0 + more).sqrt(); // (2)
-            let inverse = 1.0 / (1.0 + rho);
+            let rho = (more + 1.0).sqrt(); // (2)
+            let inverse = T::one() / (rho + 1.0);
             let (excess, next_radius) = (more * inverse, radius / rho); // (2)
             *level = Level { a, b, radius, next_radius, excess };
             weight *= 2.0;
-            rate += weight * next_radius * excess; // (3)
+            rate += next_radius * weight * excess; // (3)
             count += 1;
-            let close = h <= CLOSE * a;
+            let close = h <= a * close::<T>();
             b = (a * b).sqrt(); // (1)
             (a, radius, tau) = (mean, next_radius, excess * inverse); // (2)
             if close {
@@ -95,21 +100,21 @@ impl Ladder {
 
     /// (4) and (5) from sine and cosine of the angle φ = a_N v/a₀.
     #[inline(always)]
-    pub fn down(&self, (mut s, mut c): (f64, f64)) -> Passage {
-        let (mut d, mut missing) = (1.0, 0.0); // missing: 1 − d
-        let mut phase = [1.0, 0.0];
+    pub fn down(&self, (mut s, mut c): (T, T)) -> Passage<T> {
+        let (mut d, mut missing) = (T::one(), T::zero()); // missing: 1 − d
+        let mut phase = [T::one(), T::zero()];
         for level in self.levels[..self.count].iter().rev() {
             let Level { a, b, radius, next_radius, excess } = *level;
-            let (mean, h, square) = (0.5 * (a + b), 0.5 * (a - b), s * s);
-            let inverse = 1.0 / (mean + h * square);
+            let (mean, h, square) = ((a + b) * 0.5, (a - b) * 0.5, s * s);
+            let inverse = T::one() / (mean + h * square);
             let (sine, cosine) = (a * s * inverse, mean * inverse * (c * d)); // (4)
             let across = next_radius * mean * (c * sine) * (excess + missing);
             let along = a * mean * (cosine * c) + radius * next_radius * (sine * s);
-            let [x, y] = [phase[0] * phase[0] - phase[1] * phase[1], 2.0 * phase[0] * phase[1]];
+            let [x, y] = [phase[0] * phase[0] - phase[1] * phase[1], phase[0] * 2.0 * phase[1]];
             let tangent = -across / along; // (5)
             phase = [x - y * tangent, y + x * tangent]; // (5)
             let above = if square < 0.5 { mean - h * square } else { mean * (c * c) + b * square };
-            (s, c, d, missing) = (sine, cosine, above * inverse, 2.0 * h * square * inverse); // (4)
+            (s, c, d, missing) = (sine, cosine, above * inverse, h * 2.0 * square * inverse); // (4)
         }
         Passage { sine: s, cosine: c, delta: d, missing, phase }
     }

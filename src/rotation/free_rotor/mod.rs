@@ -38,6 +38,7 @@
 
 use nalgebra::{Quaternion, Vector3};
 
+use crate::arithmetic::Real;
 use crate::rotation::elliptic::gauss::{Ladder, Passage};
 use crate::rotation::{self, Rotation};
 
@@ -50,13 +51,13 @@ const FARTHEST: f64 = 300.0;
 /// The turn Q, in principal axes, that a free body makes in the time `t` [s]: attitude R → R Q.
 ///
 /// `moments` [kg m²] are all above zero; `momentum` is L [kg m²/s] in principal axes.
-pub fn turn_in(moments: &Vector3<f64>, momentum: &Vector3<f64>, t: f64) -> Rotation {
+pub fn turn_in<T: Real>(moments: &Vector3<T>, momentum: &Vector3<T>, t: T) -> Rotation<T> {
     let length = rotation::length(momentum);
     if length == 0.0 {
         return Rotation::identity();
     }
-    let direction = momentum * (1.0 / length);
-    let inverse = moments.map(|moment| 1.0 / moment);
+    let direction = momentum * (T::one() / length);
+    let inverse = moments.map(|moment| T::one() / moment);
     let axes = Axes::around(moments, &inverse, &direction);
     let l = axes.to_ordered(&direction);
     let [i, j, k] = axes.index;
@@ -75,20 +76,20 @@ pub fn turn_in(moments: &Vector3<f64>, momentum: &Vector3<f64>, t: f64) -> Rotat
         root: q.sqrt(),
         across: l.x * l.x + q * (l.y * l.y), // (1)
         delta,
-        inverse_delta: 1.0 / delta,
+        inverse_delta: T::one() / delta,
     };
     let turn = polhode.turn_in(length * t, [inverse[i], inverse[j], inverse[k]], w13 * t);
     axes.turn_in_given_order(&turn)
 }
 
 /// The principal axes in the order of (1), some of them reversed.
-struct Axes {
+struct Axes<T> {
     index: [usize; 3],
-    signs: [f64; 3],
+    signs: [T; 3],
 }
 
-impl Axes {
-    fn around(moments: &Vector3<f64>, inverse: &Vector3<f64>, l: &Vector3<f64>) -> Axes {
+impl<T: Real> Axes<T> {
+    fn around(moments: &Vector3<T>, inverse: &Vector3<T>, l: &Vector3<T>) -> Axes<T> {
         let (mut a, mut b, mut c) = (0, 1, 2);
         if moments[a] > moments[b] {
             (a, b) = (b, a);
@@ -104,18 +105,18 @@ impl Axes {
         let side = l[a] * l[a] * below - l[c] * l[c] * above;
         // On the separatrix both will do, unless two moments are equal: then only the third axis is run round.
         let index = if side > 0.0 || (side == 0.0 && below > above) { [c, b, a] } else { [a, b, c] };
-        let handed = if (index[0] + 1) % 3 == index[1] { 1.0 } else { -1.0 };
-        let third = 1.0f64.copysign(l[index[2]]);
+        let handed = if (index[0] + 1) % 3 == index[1] { T::one() } else { -T::one() };
+        let third = T::one().copysign(l[index[2]]);
         // Half a turn about the first axis reverses the other two.
         Axes { index, signs: [handed, third, third] }
     }
 
-    fn to_ordered(&self, v: &Vector3<f64>) -> Vector3<f64> {
+    fn to_ordered(&self, v: &Vector3<T>) -> Vector3<T> {
         let ([i, j, k], [x, y, z]) = (self.index, self.signs);
         Vector3::new(x * v[i], y * v[j], z * v[k])
     }
 
-    fn turn_in_given_order(&self, turn: &Rotation) -> Rotation {
+    fn turn_in_given_order(&self, turn: &Rotation<T>) -> Rotation<T> {
         let mut imaginary = Vector3::zeros();
         let ([i, j, k], [x, y, z]) = (self.index, self.signs);
         (imaginary[i], imaginary[j], imaginary[k]) = (x * turn.i, y * turn.j, z * turn.k);
@@ -124,29 +125,29 @@ impl Axes {
 }
 
 /// l in the ordered axes and the constants of (1): √q is `root`, a² is `across`.
-struct Polhode {
-    l: Vector3<f64>,
-    p: f64,
-    q: f64,
-    root: f64,
-    across: f64,
-    delta: f64,
-    inverse_delta: f64,
+struct Polhode<T: Real> {
+    l: Vector3<T>,
+    p: T,
+    q: T,
+    root: T,
+    across: T,
+    delta: T,
+    inverse_delta: T,
 }
 
-impl Polhode {
+impl<T: Real> Polhode<T> {
     /// Q in the ordered axes, from |L| t, the inverse moments and w₁₃ t.
-    fn turn_in(&self, impulse: f64, inverse_moments: [f64; 3], w13_t: f64) -> Rotation {
+    fn turn_in(&self, impulse: T, inverse_moments: [T; 3], w13_t: T) -> Rotation<T> {
         let Polhode { l, delta, .. } = *self;
         // √q δ k′, and √q δ.
-        let complement = (self.q * (l.z * l.z) - self.p * (l.x * l.x)).max(0.0).sqrt(); // (1)
+        let complement = (self.q * (l.z * l.z) - self.p * (l.x * l.x)).max(T::zero()).sqrt(); // (1)
         let span = self.root * delta;
-        let (passage, mean_angle) = if complement <= ON_SEPARATRIX * span {
+        let (passage, mean_angle) = if complement <= span * ON_SEPARATRIX {
             (self.on_separatrix(span * w13_t), impulse * inverse_moments[1]) // (8)
         } else {
-            let steepness = self.across / ((1.0 + delta) * (1.0 + delta)); // (1 − δ)/(1 + δ)
+            let steepness = self.across / ((delta + 1.0) * (delta + 1.0)); // (1 − δ)/(1 + δ)
             let ladder = Ladder::up(span, complement, delta, steepness);
-            let steady = inverse_moments[0] * (self.across / (1.0 + delta)) + inverse_moments[2] * delta;
+            let steady = inverse_moments[0] * (self.across / (delta + 1.0)) + inverse_moments[2] * delta;
             (
                 ladder.down(rotation::sine_and_cosine(ladder.mean * w13_t)),
                 impulse * steady + ladder.rate * w13_t,
@@ -154,19 +155,19 @@ impl Polhode {
         };
         let [x, y] = passage.phase;
         let [across, along] = self.added(&passage, complement * self.inverse_delta);
-        let (sine, cosine) = rotation::sine_and_cosine(0.5 * mean_angle);
+        let (sine, cosine) = rotation::sine_and_cosine(mean_angle * 0.5);
         let (turned, aside) = (x * along - y * across, x * across + y * along); // (6)
         let half_phi = [cosine * turned - sine * aside, sine * turned + cosine * aside]; // (5)
         turn_of(&l, half_phi, &self.change(&passage)) // (9)
     }
 
     /// l(u) − l(u₀) by (3), for a short step in numbers that are small with it.
-    fn change(&self, passage: &Passage) -> Vector3<f64> {
+    fn change(&self, passage: &Passage<T>) -> Vector3<T> {
         let Polhode { l, p, root, inverse_delta, .. } = *self;
         let Passage { sine, cosine, delta, missing, .. } = *passage;
         let turning = l.z * inverse_delta * sine;
         let (squares, turned) = (sine * sine, turning * turning);
-        let inverse = 1.0 / (cosine * cosine + turned);
+        let inverse = T::one() / (cosine * cosine + turned);
         let x = -root * l.y * (turning * delta);
         let y = l.x * turning / root;
         let z = -p * inverse_delta / root * (l.x * l.y) * (sine * cosine);
@@ -174,7 +175,7 @@ impl Polhode {
             let plain = Vector3::new(l.x * cosine, l.y * (cosine * delta), l.z * delta);
             return (plain + Vector3::new(x, y, z)) * inverse - l;
         }
-        let short = squares / (1.0 + cosine); // 1 − cn v
+        let short = squares / (cosine + 1.0); // 1 − cn v
         let x = x + l.x * (cosine * short - turned);
         let y = y + l.y * (cosine * (short - missing) - turned);
         let z = z + l.z * (squares - missing - turned);
@@ -182,47 +183,47 @@ impl Polhode {
     }
 
     /// Imaginary and real part of the product in (6), from √q k′.
-    fn added(&self, passage: &Passage, complement: f64) -> [f64; 2] {
+    fn added(&self, passage: &Passage<T>, complement: T) -> [T; 2] {
         let Polhode { l, p, root, across, delta, inverse_delta, .. } = *self;
-        let sine = passage.sine * 1.0f64.copysign(passage.cosine);
+        let sine = passage.sine * T::one().copysign(passage.cosine);
         let (cosine, d) = (passage.cosine.abs(), passage.delta);
-        let half = sine / (1.0 + cosine); // (7)
+        let half = sine / (cosine + 1.0); // (7)
         let first = l.z * inverse_delta;
-        let (x, y) = (l.x.abs(), root * l.y * 1.0f64.copysign(l.x));
+        let (x, y) = (l.x.abs(), root * l.y * T::one().copysign(l.x));
         let g = if x * y * sine > 0.0 {
             let squeezed = complement * complement / (root * root);
             (x * first + squeezed * y * sine / (cosine + d)) / (x + y * half * first) // (7)
         } else {
             let bent = p * (inverse_delta * inverse_delta) / root * (l.x * l.y);
-            (first * (1.0 + d) - bent * sine) / (cosine + d + half * sine * (first * first)) // (7)
+            (first * (d + 1.0) - bent * sine) / (cosine + d + half * sine * (first * first)) // (7)
         };
-        let rest = across / (1.0 + d) * sine;
+        let rest = across / (d + 1.0) * sine;
         let (m, kappa) = (delta * delta + rest * half, rest / root); // (6)
         // Over (M + δ)², so that nothing leaves the range of f64.
-        let inverse = 1.0 / (m + delta);
+        let inverse = T::one() / (m + delta);
         let kappa = kappa * inverse;
-        [kappa * (m * inverse) * (1.0 - g), (m * g + delta) * inverse + kappa * kappa] // (6)
+        [kappa * (m * inverse) * (T::one() - g), (m * g + delta) * inverse + kappa * kappa] // (6)
     }
 
     /// tanh and sech of v, and e^{iD} by (8): half the angle of (cn + √p sn²/q) + i (√(p/q) sn cn − sn/√q).
-    fn on_separatrix(&self, v: f64) -> Passage {
-        let v = v.clamp(-FARTHEST, FARTHEST);
-        let (sine, cosine) = (v.tanh(), 1.0 / v.cosh());
+    fn on_separatrix(&self, v: T) -> Passage<T> {
+        let v = v.clamp(T::of(-FARTHEST), T::of(FARTHEST));
+        let (sine, cosine) = (v.tanh(), T::one() / v.cosh());
         let slope = (self.p / self.q).sqrt();
         let real = cosine + slope / self.root * (sine * sine);
         let imaginary = slope * (sine * cosine) - sine / self.root;
         let size = (real * real + imaginary * imaginary).sqrt();
-        let missing = sine * sine / (1.0 + cosine);
+        let missing = sine * sine / (cosine + 1.0);
         Passage { sine, cosine, delta: cosine, missing, phase: [size + real, imaginary] }
     }
 }
 
 /// (9) from l, e^{iΦ/2} of any length, and the change of l.
-fn turn_of(l: &Vector3<f64>, [cosine, sine]: [f64; 2], change: &Vector3<f64>) -> Rotation {
-    let w = 1.0 + l.z;
-    let about = Quaternion::from_parts(cosine, l * sine) * (2.0 * w);
+fn turn_of<T: Real>(l: &Vector3<T>, [cosine, sine]: [T; 2], change: &Vector3<T>) -> Rotation<T> {
+    let w = l.z + 1.0;
+    let about = Quaternion::from_parts(cosine, l * sine) * (w * 2.0);
     let carried = Quaternion::new(w * cosine, l.x * sine - l.y * cosine, l.x * cosine + l.y * sine, w * sine);
-    Rotation::new_normalize(about + carried * Quaternion::new(change.z, change.y, -change.x, 0.0))
+    Rotation::new_normalize(about + carried * Quaternion::new(change.z, change.y, -change.x, T::zero()))
 }
 
 #[cfg(test)]

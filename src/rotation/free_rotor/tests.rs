@@ -4,7 +4,7 @@ use crate::rotation::elliptic::amplitude;
 /// b₀ over a₀ = 1.
 const COMPLEMENTS: [f64; 6] = [1.0, 0.9, 0.3, 1e-3, 1e-9, 1e-30];
 
-fn passage(b: f64, v: f64) -> Passage {
+fn passage(b: f64, v: f64) -> Passage<f64> {
     let ladder = Ladder::up(1.0, b, 0.8, 0.2);
     ladder.down((ladder.mean * v).sin_cos())
 }

@@ -82,7 +82,7 @@ impl Guest<'_> {
 }
 
 /// What a lane needs of a body that turns.
-fn turning<M: Turning>(model: &M) -> Lane {
+fn turning<M: Turning<Real = f64>>(model: &M) -> Lane {
     let start = model.start();
     let q = model.attitude(&start);
     Lane {
@@ -93,7 +93,7 @@ fn turning<M: Turning>(model: &M) -> Lane {
     }
 }
 
-fn observe<M: Turning>(model: &M, t: f64, lane: &Lane) -> Option<Snapshot> {
+fn observe<M: Turning<Real = f64>>(model: &M, t: f64, lane: &Lane) -> Option<Snapshot> {
     let [w, x, y, z] = lane.attitude;
     let mut state = model.start();
     model.place(&mut state, Rotation::new_unchecked(Quaternion::new(w, x, y, z)), lane.momentum.into());

@@ -9,7 +9,7 @@
 //! test holds them to the last bit. What the series of a turn do not reach, more than a radian in a step, they leave to
 //! the pages.
 
-use crate::arithmetic::{Number, Registers, Row, Work};
+use crate::arithmetic::{Number, Registers, Row, Work, series};
 use crate::rotation::formulas;
 use crate::schemes::SideBySide;
 
@@ -41,11 +41,11 @@ struct Advance<'a> {
     bodies: &'a mut [Lane],
 }
 
-impl Work for Advance<'_> {
+impl Work<f64> for Advance<'_> {
     type Output = bool;
 
     #[inline(always)]
-    fn with_rows<T: Row>(self, proof: T::Proof) -> bool {
+    fn with_rows<T: Row<Scalar = f64>>(self, proof: T::Proof) -> bool {
         let mut within = true;
         for group in self.bodies.chunks_mut(T::COUNT) {
             let free = group.iter().all(|body| body.weight == [0.0; 3]);
@@ -64,7 +64,7 @@ const WIDEST: usize = 16;
 
 /// A row of one number of each body.
 #[inline(always)]
-fn row<T: Row>(proof: T::Proof, group: &[Lane], part: fn(&Lane) -> f64) -> T {
+fn row<T: Row<Scalar = f64>>(proof: T::Proof, group: &[Lane], part: fn(&Lane) -> f64) -> T {
     let mut values = [0.0; WIDEST];
     for (value, body) in values.iter_mut().zip(group) {
         *value = part(body);
@@ -84,7 +84,7 @@ macro_rules! vector {
 }
 
 #[inline(always)]
-fn group_steps<T: Row, const TOPS: bool>(
+fn group_steps<T: Row<Scalar = f64>, const TOPS: bool>(
     proof: T::Proof,
     scheme: SideBySide,
     steps: u64,
@@ -127,7 +127,7 @@ fn group_steps<T: Row, const TOPS: bool>(
             body.momentum[i] = value;
         }
     }
-    bodies.largest.largest() <= formulas::LARGEST_SQUARE
+    bodies.largest.largest() <= series::LARGEST_SQUARE
 }
 
 /// Attitude and L of a group.
@@ -173,7 +173,7 @@ impl<T: Number, const TOPS: bool> Bodies<T, TOPS> {
         let half = formulas::scaled(spin, half_time);
         let square = formulas::dot(half, half);
         self.largest = self.largest.larger(square);
-        let attitude = formulas::turned(formulas::coefficients(square), half, from.attitude);
+        let attitude = formulas::turned(series::coefficients(square), half, from.attitude);
         let mut momentum = from.momentum;
         if TOPS {
             let kick = formulas::scaled(torque, time);

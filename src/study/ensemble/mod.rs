@@ -159,7 +159,7 @@ mod tests {
 
     #[test]
     fn members_are_the_runs_that_they_stand_for_to_the_last_bit_and_in_their_order() {
-        for contestant in [Contestant::new::<PeskinRk2>(), Contestant::new::<Euler>()] {
+        for contestant in [Contestant::new(PeskinRk2), Contestant::new(Euler)] {
             assert!(contestant.side_by_side().is_some());
             agree(&contestant, members());
         }
@@ -170,16 +170,16 @@ mod tests {
             let steps = [64, 256, 1000][k % 3];
             tops.push(Member { system: top.clone(), plan: Plan::over(1.0 + 0.1 * k as f64, steps, 5) });
         }
-        agree(&Contestant::new::<PeskinRk2>(), tops.clone());
-        agree(&Contestant::new::<Euler>(), tops);
+        agree(&Contestant::new(PeskinRk2), tops.clone());
+        agree(&Contestant::new(Euler), tops);
         // A scheme and a scene that have no lanes.
-        let heun = Contestant::new::<PeskinHeun>();
+        let heun = Contestant::new(PeskinHeun);
         assert!(heun.side_by_side().is_none());
         agree(&heun, members());
         let system = Scene::find("gravity-drag").expect("built in").system;
         let mut mixed = members();
         mixed.insert(3, Member { system, plan: Plan::over(1.0, 100, 4) });
-        agree(&Contestant::new::<PeskinRk2>(), mixed);
+        agree(&Contestant::new(PeskinRk2), mixed);
     }
 
     #[test]
@@ -189,7 +189,7 @@ mod tests {
         far[5].plan.step = 20.0;
         far[9].plan.step = 1e300;
         far[9].system.start.angular_momentum *= 1e300;
-        let rows = agree(&Contestant::new::<PeskinRk2>(), far);
+        let rows = agree(&Contestant::new(PeskinRk2), far);
         assert!(rows[9].1.broken.is_some() && rows[5].1.broken.is_none());
     }
 
@@ -197,7 +197,7 @@ mod tests {
     fn one_thread_and_many_give_the_same() {
         let run = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
-            let contestant = Contestant::new::<PeskinRk2>();
+            let contestant = Contestant::new(PeskinRk2);
             let ensemble = Ensemble::new(&contestant, members());
             let rows = pool.install(|| ensemble.fold(|index| (index, None), |end, s| end.1 = Some(*s)));
             rows.into_iter().map(|(end, _)| end).collect::<Vec<_>>()

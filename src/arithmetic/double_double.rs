@@ -1,0 +1,312 @@
+//! Double-double numbers: the unevaluated sum of two f64, 31 digits.
+//!
+//! ```text
+//! (1)  a + b = s + e       s = fl(a + b),  b' = s − a,  e = (a − (s − b')) + (b − b')
+//! (2)  a b = p + e         p = fl(a b),  e = ((a₁ b₁ − p) + a₁ b₂ + a₂ b₁) + a₂ b₂
+//! (3)  a = a₁ + a₂         c = fl((2²⁷ + 1) a),  a₁ = c − (c − a)
+//! ```
+//!
+//! (1) and (2) are exact. (3) is taken of a/2²⁸ from 2⁹⁹⁵ on, so that it does not overflow; (2) loses digits where a b is below 2⁻⁹⁶⁹.
+//! A sum, a product and a quotient are good to 2⁻¹⁰² of their size.
+//!
+//! Source: dekker1971 for (2) and (3), knuth1997 section 4.2.2 for (1), hida2001 for sums, quotients and roots.
+
+use std::cmp::Ordering;
+use std::iter::Sum;
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
+
+use super::field::field;
+use super::{Number, Real, Registers, Row, Work};
+
+/// high + low with |low| ≤ ½ ulp(high).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct DoubleDouble {
+    high: f64,
+    low: f64,
+}
+
+/// 2²⁷ + 1.
+const SPLITTER: f64 = 134_217_729.0;
+/// 2⁹⁹⁵.
+const SPLIT_OVERFLOWS: f64 = f64::from_bits((995 + 1023) << 52);
+/// 2²⁸.
+const SCALE: f64 = 268_435_456.0;
+
+/// (1).
+#[inline(always)]
+const fn two_sum(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    let part = sum - a;
+    (sum, (a - (sum - part)) + (b - part))
+}
+
+/// (1) for |a| ≥ |b|.
+#[inline(always)]
+const fn ordered_sum(a: f64, b: f64) -> DoubleDouble {
+    let sum = a + b;
+    DoubleDouble { high: sum, low: b - (sum - a) }
+}
+
+/// (3).
+#[inline(always)]
+const fn split(a: f64) -> (f64, f64) {
+    if a.abs() > SPLIT_OVERFLOWS {
+        let (upper, lower) = split_small(a / SCALE);
+        return (upper * SCALE, lower * SCALE);
+    }
+    split_small(a)
+}
+
+#[inline(always)]
+const fn split_small(a: f64) -> (f64, f64) {
+    let scaled = SPLITTER * a;
+    let upper = scaled - (scaled - a);
+    (upper, a - upper)
+}
+
+/// (2).
+#[inline(always)]
+const fn two_product(a: f64, b: f64) -> (f64, f64) {
+    let ((a1, a2), (b1, b2)) = (split(a), split(b));
+    let product = a * b;
+    (product, ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2)
+}
+
+impl DoubleDouble {
+    const ZERO: DoubleDouble = DoubleDouble::exact(0.0);
+    const ONE: DoubleDouble = DoubleDouble::exact(1.0);
+    const PI: DoubleDouble = DoubleDouble { high: std::f64::consts::PI, low: 1.224_646_799_147_353_2e-16 };
+    /// π/2 − (its first two parts), for arguments of many turns.
+    const HALF_PI_REST: f64 = -1.497_384_904_859_169_8e-33;
+    const LN_2: DoubleDouble =
+        DoubleDouble { high: std::f64::consts::LN_2, low: 2.319_046_813_846_299_6e-17 };
+
+    /// An f64.
+    #[inline(always)]
+    pub const fn exact(high: f64) -> DoubleDouble {
+        DoubleDouble { high, low: 0.0 }
+    }
+
+    /// high + low, of any sizes.
+    #[inline(always)]
+    pub const fn of_sum(high: f64, low: f64) -> DoubleDouble {
+        let (high, low) = two_sum(high, low);
+        DoubleDouble { high, low }
+    }
+
+    /// The nearest f64, and the rest.
+    pub fn parts(self) -> (f64, f64) {
+        (self.high, self.low)
+    }
+
+    const fn plus(self, other: DoubleDouble) -> DoubleDouble {
+        let (sum, error) = two_sum(self.high, other.high);
+        let (low, last) = two_sum(self.low, other.low);
+        if !sum.is_finite() {
+            return DoubleDouble::exact(sum);
+        }
+        let first = ordered_sum(sum, error + low);
+        ordered_sum(first.high, first.low + last)
+    }
+
+    const fn negative(self) -> DoubleDouble {
+        DoubleDouble { high: -self.high, low: -self.low }
+    }
+
+    const fn times(self, other: DoubleDouble) -> DoubleDouble {
+        let (product, error) = two_product(self.high, other.high);
+        if !error.is_finite() {
+            return DoubleDouble::exact(product);
+        }
+        ordered_sum(product, error + (self.high * other.low + self.low * other.high))
+    }
+
+    const fn times_f64(self, other: f64) -> DoubleDouble {
+        let (product, error) = two_product(self.high, other);
+        if !error.is_finite() {
+            return DoubleDouble::exact(product);
+        }
+        ordered_sum(product, error + self.low * other)
+    }
+
+    const fn over(self, other: DoubleDouble) -> DoubleDouble {
+        let first = self.high / other.high;
+        if !first.is_finite() || !other.high.is_finite() {
+            return DoubleDouble::exact(first);
+        }
+        let rest = self.plus(other.times_f64(first).negative());
+        let second = rest.high / other.high;
+        let rest = rest.plus(other.times_f64(second).negative());
+        let third = rest.high / other.high;
+        let sum = ordered_sum(first, second);
+        sum.plus(DoubleDouble::exact(third))
+    }
+
+    /// a times a power of two: exact.
+    const fn scaled(self, power: f64) -> DoubleDouble {
+        DoubleDouble { high: self.high * power, low: self.low * power }
+    }
+
+    /// √a by one step of Newton's method from the f64 root.
+    pub(super) fn root(self) -> DoubleDouble {
+        if self.high <= 0.0 || !self.high.is_finite() {
+            return DoubleDouble::exact(self.high.sqrt());
+        }
+        let root = self.high.sqrt();
+        let (square, error) = two_product(root, root);
+        let rest = self.plus(DoubleDouble { high: -square, low: -error });
+        ordered_sum(root, rest.high / (2.0 * root))
+    }
+
+    /// The nearest whole number; halves go away from zero.
+    pub(super) fn nearest(self) -> DoubleDouble {
+        let high = self.high.round();
+        if high == self.high {
+            return ordered_sum(high, self.low.round());
+        }
+        // A half that the low part takes away.
+        let half = (self.high - self.high.trunc()).abs() == 0.5;
+        if half && self.low != 0.0 && (self.low < 0.0) == (self.high > 0.0) {
+            return DoubleDouble::exact(self.high.trunc());
+        }
+        DoubleDouble::exact(high)
+    }
+
+    pub(super) fn down(self) -> DoubleDouble {
+        let high = self.high.floor();
+        if high == self.high { ordered_sum(high, self.low.floor()) } else { DoubleDouble::exact(high) }
+    }
+
+    /// sin x and cos x: x less a multiple of π/2, then the power series.
+    pub(super) fn sine_and_cosine(self) -> (DoubleDouble, DoubleDouble) {
+        if !self.high.is_finite() {
+            return (DoubleDouble::exact(f64::NAN), DoubleDouble::exact(f64::NAN));
+        }
+        let quarters = (self.high / std::f64::consts::FRAC_PI_2).round();
+        let rest = self
+            .plus(DoubleDouble::PI.scaled(0.5).times_f64(quarters).negative())
+            .plus(DoubleDouble::exact(-quarters * DoubleDouble::HALF_PI_REST));
+        let (cosine, sine) = series(rest.times(rest));
+        let (sine, cosine) = (rest.times(sine), cosine);
+        match quarters.rem_euclid(4.0) as u8 {
+            0 => (sine, cosine),
+            1 => (cosine, sine.negative()),
+            2 => (sine.negative(), cosine.negative()),
+            _ => (cosine.negative(), sine),
+        }
+    }
+
+    /// eˣ − 1: the power series of x/2ᵏ less whole multiples of ln 2.
+    pub(super) fn exponential_less_one(self) -> DoubleDouble {
+        if !self.high.is_finite() || self.high.abs() > 700.0 {
+            return DoubleDouble::exact(self.high.exp_m1());
+        }
+        let doublings = (self.high / std::f64::consts::LN_2).round();
+        // |r| ≤ ln 2/2/16.
+        let r = self.plus(DoubleDouble::LN_2.times_f64(doublings).negative()).scaled(1.0 / 16.0);
+        let (mut sum, mut n) = (DoubleDouble::ZERO, 18u32);
+        while n > 0 {
+            sum = r.times(DoubleDouble::ONE.plus(sum)).over(DoubleDouble::exact(n as f64));
+            n -= 1;
+        }
+        for _ in 0..4 {
+            sum = sum.times(sum.plus(DoubleDouble::exact(2.0)));
+        }
+        let power = 2f64.powi(doublings as i32);
+        sum.scaled(power).plus(DoubleDouble::exact(power - 1.0))
+    }
+
+    /// ln x: two steps of Newton's method from the f64 logarithm.
+    pub(super) fn logarithm(self) -> DoubleDouble {
+        let mut y = DoubleDouble::exact(self.high.ln());
+        if !y.high.is_finite() {
+            return y;
+        }
+        for _ in 0..2 {
+            let power = y.negative().exponential_less_one().plus(DoubleDouble::ONE);
+            y = y.plus(self.times(power)).plus(DoubleDouble::exact(-1.0));
+        }
+        y
+    }
+
+    /// The angle of (x, y) = (`other`, `self`): one step of Newton's method from the f64 angle, in the sine of what it is off by.
+    pub(super) fn angle(self, other: DoubleDouble) -> DoubleDouble {
+        let guess = DoubleDouble::exact(self.high.atan2(other.high));
+        let largest = self.high.abs().max(other.high.abs());
+        if largest == 0.0 || !largest.is_finite() {
+            return guess;
+        }
+        let (y, x) = (self.over(DoubleDouble::exact(largest)), other.over(DoubleDouble::exact(largest)));
+        let length = x.times(x).plus(y.times(y)).root();
+        let (sine, cosine) = guess.sine_and_cosine();
+        let off = y.times(cosine).plus(x.times(sine).negative()).over(length);
+        guess.plus(off)
+    }
+}
+
+/// Terms of [`series`]: (π/4)²⁸/28! is below 2⁻¹⁰⁶.
+const TERMS: usize = 14;
+
+/// (−1)ᵏ/(2k + `offset`)!.
+const fn inverse_factorials(offset: usize) -> [DoubleDouble; TERMS] {
+    let mut result = [DoubleDouble::ONE; TERMS];
+    let (mut k, mut factorial) = (1, DoubleDouble::ONE);
+    while k < TERMS {
+        let n = 2 * k + offset;
+        factorial = factorial.times_f64(((n - 1) * n) as f64).negative();
+        result[k] = DoubleDouble::ONE.over(factorial);
+        k += 1;
+    }
+    result
+}
+
+const COSINE: [DoubleDouble; TERMS] = inverse_factorials(0);
+const SINE: [DoubleDouble; TERMS] = inverse_factorials(1);
+
+/// cos x and sin x / x for y = x² ≤ (π/4)². Terms from the eighth on are below 2⁻⁵³ of the sum, so that f64 holds them.
+fn series(y: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
+    const IN_F64: usize = 9;
+    let sum = |terms: &[DoubleDouble; TERMS]| {
+        let small = terms[IN_F64..].iter().rev().fold(0.0, |sum, term| sum * y.high + term.high);
+        let start = DoubleDouble::exact(small);
+        terms[..IN_F64].iter().rev().fold(start, |sum, term| sum.times(y).plus(*term))
+    };
+    (sum(&COSINE), sum(&SINE))
+}
+
+impl PartialOrd for DoubleDouble {
+    #[inline]
+    fn partial_cmp(&self, other: &DoubleDouble) -> Option<Ordering> {
+        match self.high.partial_cmp(&other.high) {
+            Some(Ordering::Equal) => self.low.partial_cmp(&other.low),
+            unequal => unequal,
+        }
+    }
+}
+
+impl Real for DoubleDouble {
+    const NAME: &'static str = "double-double";
+    const UNIT: f64 = f64::EPSILON * f64::EPSILON;
+    const LARGEST_EXCESS: f64 = 1.0 / (1u64 << 36) as f64;
+    const PLAIN_SQUARES: [f64; 2] = [1e-250, 1e280];
+
+    #[inline(always)]
+    fn of(value: f64) -> DoubleDouble {
+        DoubleDouble::exact(value)
+    }
+
+    #[inline(always)]
+    fn to_f64(self) -> f64 {
+        self.high
+    }
+
+    fn turn_coefficients(y: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
+        series(y)
+    }
+
+    fn by_eight<W: Work<DoubleDouble>>(_: Registers, work: W) -> W::Output {
+        work.with_rows::<DoubleDouble>(())
+    }
+}
+
+field!(DoubleDouble);
