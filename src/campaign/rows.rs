@@ -7,7 +7,7 @@ use crate::model::{Quantity, Snapshot, System, sizes};
 use crate::record::stability::Stability;
 use crate::record::{
     Drift, EnergyDrift, EnergyRung, EngineRow, Ladder, Measurement, Order, OrderStatus, ReferenceEvidence,
-    ReferenceRow, RunStatus, SceneRow, SchemeRow, Series, to_digits,
+    ReferenceRow, RunStatus, SceneRow, SchemeRow, Series, TIME_DIGITS, to_digits,
 };
 use crate::reference::Reference;
 use crate::rotation;
@@ -92,7 +92,7 @@ pub(super) fn reference(scene: &Scene, reference: &Reference) -> ReferenceEviden
 pub(super) fn measurements(names: &Names, rungs: &[Rung], own_clock: bool) -> Vec<Measurement> {
     let timed = |rung: &Rung| {
         let Outcome { steps, nanoseconds, .. } = rung.outcome;
-        (own_clock && steps > 0).then(|| nanoseconds as f64 / steps as f64)
+        (own_clock && steps > 0).then(|| to_digits(nanoseconds as f64 / steps as f64, COST_DIGITS))
     };
     rungs.iter().flat_map(|rung| rung_rows(names, rung, timed(rung))).collect()
 }
@@ -101,6 +101,8 @@ pub(super) fn measurements(names: &Names, rungs: &[Rung], own_clock: bool) -> Ve
 const VALUE_DIGITS: usize = 7;
 /// … of a value against time, which is drawn, …
 const SERIES_DIGITS: usize = 5;
+/// … of a cost, which differs from run to run, …
+pub(super) const COST_DIGITS: usize = 4;
 /// … and of an uncertainty.
 const UNCERTAINTY_DIGITS: usize = 3;
 
@@ -113,9 +115,9 @@ fn rung_rows(names: &Names, rung: &Rung, nanoseconds_per_step: Option<f64>) -> V
         step_s: rung.step,
         steps: rung.steps,
         metric,
-        value: finite(to_digits(value, VALUE_DIGITS)),
+        value: shown(value),
         unit: unit.to_owned(),
-        uncertainty: finite(to_digits(uncertainty, UNCERTAINTY_DIGITS)),
+        uncertainty: uncertain(uncertainty),
         status: if outcome.broken.is_some() { RunStatus::Broken } else { RunStatus::Ok },
         why: outcome.broken.as_ref().map(ToString::to_string),
         force_evaluations: outcome.evaluations,
@@ -161,7 +163,7 @@ fn order(names: &Names, ladder: &Ladder, quantity: Quantity) -> Order {
         scheme: names.scheme.to_owned(),
         quantity: quantity.name().to_owned(),
         rungs_dropped: asked.runs.len(),
-        floor: last.and_then(|run| finite(asked.floor(run, asked.times.len()))),
+        floor: last.and_then(|run| uncertain(asked.floor(run, asked.times.len()))),
         unit: quantity.unit().to_owned(),
         ..Order::default()
     };
@@ -171,9 +173,8 @@ fn order(names: &Names, ladder: &Ladder, quantity: Quantity) -> Order {
             // The pairs of runs that r fell over.
             let used = &asked.runs[found.rungs - RUNGS_OF_DECISION..found.rungs];
             row.status = OrderStatus::Decided;
-            (row.order, row.low, row.high) = (Some(found.slope), Some(low), Some(high));
-            (row.constant, row.r, row.until_s) =
-                (finite(to_digits(found.constant, VALUE_DIGITS)), Some(found.r), Some(found.until));
+            (row.order, row.low, row.high) = (shown(found.slope), shown(low), shown(high));
+            (row.constant, row.r, row.until_s) = (shown(found.constant), shown(found.r), Some(found.until));
             (row.rungs_used, row.rungs_dropped) = (used.len(), asked.runs.len() - used.len());
             row.steps_used_s = used.iter().map(|run| run.step).collect();
         }
@@ -226,9 +227,9 @@ pub(super) fn drift_rates(names: &Names, drift: &EnergyDrift) -> Vec<Measurement
         step_s: rung.step,
         steps: rung.steps,
         metric: metric.to_owned(),
-        value: finite(value),
+        value: shown(value),
         unit: unit.to_owned(),
-        uncertainty: finite(uncertainty),
+        uncertainty: uncertain(uncertainty),
         status: RunStatus::Ok,
         force_evaluations: rung.evaluations,
         ..Measurement::default()
@@ -260,7 +261,7 @@ pub(super) fn series(names: &Names, system: &System, step: f64, states: &[Snapsh
                 step_s: step,
                 quantity: quantity.to_owned(),
                 unit: unit.to_owned(),
-                time_s: states.iter().map(|s| to_digits(s.time, VALUE_DIGITS)).collect(),
+                time_s: states.iter().map(|s| to_digits(s.time, TIME_DIGITS)).collect(),
                 value: value.into_iter().map(|value| to_digits(value, SERIES_DIGITS)).collect(),
             });
         }
@@ -291,6 +292,16 @@ pub(super) fn series(names: &Names, system: &System, step: f64, states: &[Snapsh
         push("angular-momentum-direction", "rad", states.iter().map(direction).collect());
     }
     rows
+}
+
+/// A value as a row has it.
+fn shown(value: f64) -> Option<f64> {
+    finite(to_digits(value, VALUE_DIGITS))
+}
+
+/// An uncertainty as a row has it.
+fn uncertain(value: f64) -> Option<f64> {
+    finite(to_digits(value, UNCERTAINTY_DIGITS))
 }
 
 fn finite(value: f64) -> Option<f64> {

@@ -9,6 +9,7 @@ mod cost;
 mod engines;
 mod evidence;
 mod findings;
+mod packed;
 mod published;
 mod subjects;
 #[cfg(feature = "cli")]
@@ -27,6 +28,7 @@ pub use crate::claim::ClaimName;
 pub use cost::{CostRow, Grows, ScalingRow};
 pub use engines::{EngineRow, PeerRow, Twin};
 pub use evidence::*;
+pub(crate) use findings::TIME_DIGITS;
 pub use findings::{Drift, DriftClass, Measurement, Order, OrderStatus, RunStatus, Series};
 pub use published::{Agreement, PublishedRow, Sureness, last_digit};
 pub use subjects::{ReferenceRow, SceneRow, SchemeRow};
