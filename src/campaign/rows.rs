@@ -2,7 +2,7 @@
 
 use crate::claim::Claim;
 use crate::measure::drift::rate_order;
-use crate::measure::{self, Asked, Decision, Doubt, Rung, decide};
+use crate::measure::{self, Asked, Decision, Doubt, Metric, Reading, Rung, decide};
 use crate::model::{Quantity, Snapshot, System, sizes};
 use crate::record::stability::Stability;
 use crate::record::{
@@ -90,11 +90,16 @@ pub(super) fn reference(scene: &Scene, reference: &Reference) -> ReferenceEviden
 
 /// `own_clock`: whether the runs were timed by the program itself that made them. All others are timed after the campaign, alone.
 pub(super) fn measurements(names: &Names, rungs: &[Rung], own_clock: bool) -> Vec<Measurement> {
-    let timed = |rung: &Rung| {
-        let Outcome { steps, nanoseconds, .. } = rung.outcome;
-        (own_clock && steps > 0).then(|| to_digits(nanoseconds as f64 / steps as f64, COST_DIGITS))
+    let finest = rungs.iter().rposition(|rung| rung.outcome.broken.is_none());
+    let rows = |(index, rung): (usize, &Rung)| {
+        let run = run_row(names, rung, own_clock);
+        let mut rows = error_rows(&run, rung);
+        if Some(index) == finest {
+            rows.extend(metric_rows(&run, rung));
+        }
+        rows
     };
-    rungs.iter().flat_map(|rung| rung_rows(names, rung, timed(rung))).collect()
+    rungs.iter().enumerate().flat_map(rows).collect()
 }
 
 /// Digits of a value in a row, …
@@ -106,34 +111,50 @@ pub(super) const COST_DIGITS: usize = 4;
 /// … and of an uncertainty.
 const UNCERTAINTY_DIGITS: usize = 3;
 
-fn rung_rows(names: &Names, rung: &Rung, nanoseconds_per_step: Option<f64>) -> Vec<Measurement> {
-    let outcome = &rung.outcome;
-    let row = |metric: String, value: f64, unit: &str, uncertainty: f64| Measurement {
+/// A row of a run, without its metric.
+fn run_row(names: &Names, rung: &Rung, own_clock: bool) -> Measurement {
+    let Outcome { steps, nanoseconds, evaluations, ref broken, .. } = rung.outcome;
+    let timed = own_clock && steps > 0;
+    Measurement {
         scene: names.scene.to_owned(),
         scheme: names.scheme.to_owned(),
         model: names.model.to_owned(),
         step_s: rung.step,
         steps: rung.steps,
-        metric,
-        value: shown(value),
-        unit: unit.to_owned(),
-        uncertainty: uncertain(uncertainty),
-        status: if outcome.broken.is_some() { RunStatus::Broken } else { RunStatus::Ok },
-        why: outcome.broken.as_ref().map(ToString::to_string),
-        force_evaluations: outcome.evaluations,
-        nanoseconds_per_step,
+        status: if broken.is_some() { RunStatus::Broken } else { RunStatus::Ok },
+        why: broken.as_ref().map(ToString::to_string),
+        force_evaluations: evaluations,
+        nanoseconds_per_step: timed.then(|| to_digits(nanoseconds as f64 / steps as f64, COST_DIGITS)),
+        ..Measurement::default()
+    }
+}
+
+/// The errors at the end of a run.
+fn error_rows(run: &Measurement, rung: &Rung) -> Vec<Measurement> {
+    let row = |(quantity, errors): (Quantity, &Reading)| Measurement {
+        metric: format!("{}-end", quantity.name()),
+        value: shown(errors.end),
+        unit: quantity.unit().to_owned(),
+        uncertainty: uncertain(rung.floors[quantity].end),
+        ..run.clone()
     };
-    let mut rows = Vec::new();
-    for (quantity, errors) in rung.errors.iter() {
-        let (floors, name, unit) = (&rung.floors[quantity], quantity.name(), quantity.unit());
-        rows.push(row(format!("{name}-end"), errors.end, unit, floors.end));
-    }
+    rung.errors.iter().map(row).collect()
+}
+
+/// The other metrics: the largest value of each over the run. They have rows at the finest step only, the one that tables show.
+fn metric_rows(run: &Measurement, rung: &Rung) -> Vec<Measurement> {
     let rounding = f64::EPSILON * (rung.steps as f64).sqrt();
-    for (metric, reading) in measure::ALL.iter().zip(&rung.readings) {
-        let Some(reading) = reading.filter(|reading| reading.max != 0.0) else { continue };
-        rows.push(row(format!("{}-max", metric.name), reading.max, metric.unit, rounding));
-    }
-    rows
+    let row = |(metric, reading): (&Metric, &Option<Reading>)| {
+        let reading = reading.filter(|reading| reading.max != 0.0)?;
+        Some(Measurement {
+            metric: format!("{}-max", metric.name),
+            value: shown(reading.max),
+            unit: metric.unit.to_owned(),
+            uncertainty: uncertain(rounding),
+            ..run.clone()
+        })
+    };
+    measure::ALL.iter().zip(&rung.readings).filter_map(row).collect()
 }
 
 /// The row of a scheme that cannot take a scene.
@@ -163,7 +184,7 @@ fn order(names: &Names, ladder: &Ladder, quantity: Quantity) -> Order {
         scheme: names.scheme.to_owned(),
         quantity: quantity.name().to_owned(),
         rungs_dropped: asked.runs.len(),
-        floor: last.and_then(|run| uncertain(asked.floor(run, asked.times.len()))),
+        floor: last.and_then(|run| shown(asked.floor(run, asked.times.len()))),
         unit: quantity.unit().to_owned(),
         ..Order::default()
     };

@@ -1,7 +1,7 @@
 //! The evidence: all that was measured on a scheme in a scene and that gates read.
 //!
 //! A verdict is a pure function of it, of the error constants on record and of nothing else. Numbers that do not come out of a claim are
-//! kept to five digits, roundings to two.
+//! kept to five digits, roundings to two. In files error vectors and roundings are packed text; false, zero and missing values are left out.
 
 use serde::{Deserialize, Serialize};
 

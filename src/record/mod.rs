@@ -61,7 +61,8 @@ pub struct Records {
     /// The schemes, in the order of the campaign.
     #[serde(default)]
     pub schemes: Vec<SchemeRow>,
-    /// One row a scene, scheme, step and metric; nine tenths of the records, and so shared where records are cloned.
+    /// One row a scene, scheme, step and error; the other metrics have rows at the finest step. Most of the records, and so shared where
+    /// records are cloned.
     pub measurements: Vec<Arc<Measurement>>,
     /// One row a scene, scheme and quantity: the fitted order of convergence.
     pub orders: Vec<Order>,

@@ -1,4 +1,4 @@
-//! Numbers of few digits as text, a third of what they take in JSON. A number is a sign, a mantissa m of d digits and an exponent e:
+//! Lists of numbers as text: four characters a number, where JSON takes eleven. A number is a sign, a mantissa m of d digits and an exponent e:
 //!
 //! ```text
 //! (1)  number = ± m · 10^e,   place = ((e + e₀) · 9 · 10^(d−1) + m − 10^(d−1)) · 2 + sign
@@ -6,7 +6,7 @@
 //!
 //! The place is written in base 64, the highest digit first. The first character of the text is d: `5` has four characters a number and
 //! e₀ = 70, `2` has two, e₀ = 34 and no sign, and `*` has the 64 bits of the double in eleven. A dot is a zero, whose sign is lost. Lists are
-//! separated by commas. The text gives back each number to the last bit.
+//! separated by commas. A reader gets each number back to the last bit.
 
 use serde::de::{Error, SeqAccess, Visitor, value::SeqAccessDeserializer};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -15,11 +15,11 @@ use crate::quantity::{PerQuantity, Quantity};
 
 const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 
-/// One way to write a number.
+/// A code: how numbers of so many digits are written.
 #[derive(Clone, Copy)]
 struct Code {
     /// First character of the text.
-    sign: u8,
+    name: u8,
     /// Characters of a number.
     width: u32,
     /// Smallest mantissa, 10^(d − 1); 0 where the bits are written.
@@ -32,9 +32,9 @@ struct Code {
 
 /// The codes, the shortest first.
 const CODES: [Code; 3] = [
-    Code { sign: b'2', width: 2, least: 10, exponent: -34, signs: 1 },
-    Code { sign: b'5', width: 4, least: 10_000, exponent: -70, signs: 2 },
-    Code { sign: b'*', width: 11, least: 0, exponent: 0, signs: 1 },
+    Code { name: b'2', width: 2, least: 10, exponent: -34, signs: 1 },
+    Code { name: b'5', width: 4, least: 10_000, exponent: -70, signs: 2 },
+    Code { name: b'*', width: 11, least: 0, exponent: 0, signs: 1 },
 ];
 
 impl Code {
@@ -78,7 +78,7 @@ fn decimal(mantissa: u64, exponent: i32) -> f64 {
 /// Lists of numbers as text, in the shortest code that holds all of them.
 fn pack(lists: &[&[f64]]) -> String {
     let written = |code: &Code| {
-        let mut text = vec![code.sign];
+        let mut text = vec![code.name];
         for (index, list) in lists.iter().enumerate() {
             text.extend((index > 0).then_some(b','));
             for value in *list {
@@ -97,8 +97,8 @@ fn pack(lists: &[&[f64]]) -> String {
 
 /// The lists of such a text; `None` where it is none.
 fn unpack(text: &str) -> Option<Vec<Vec<f64>>> {
-    let (sign, mut rest) = text.as_bytes().split_first()?;
-    let code = CODES.iter().find(|code| code.sign == *sign)?;
+    let (name, mut rest) = text.as_bytes().split_first()?;
+    let code = CODES.iter().find(|code| code.name == *name)?;
     let mut lists = vec![Vec::new()];
     while let Some((first, after)) = rest.split_first() {
         let list = lists.last_mut()?;
