@@ -250,7 +250,7 @@ pub(super) fn drift_rates(names: &Names, drift: &EnergyDrift) -> Vec<Measurement
         metric: metric.to_owned(),
         value: shown(value),
         unit: unit.to_owned(),
-        uncertainty: uncertain(uncertainty),
+        uncertainty: shown(uncertainty),
         status: RunStatus::Ok,
         force_evaluations: rung.evaluations,
         ..Measurement::default()
