@@ -6,7 +6,8 @@
 
 use std::sync::Arc;
 
-use crate::record::{CostRow, Records};
+use super::rows::COST_DIGITS;
+use crate::record::{CostRow, Records, to_digits};
 use crate::rotation;
 use crate::scenes::Scene;
 use crate::simulate::{Contestant, Form};
@@ -145,6 +146,7 @@ fn fill(
         let evaluations = measurement.force_evaluations as f64 / measurement.steps as f64;
         let share =
             if cost.evaluations_per_step > 0.0 { evaluations / cost.evaluations_per_step } else { 1.0 };
-        Arc::make_mut(measurement).nanoseconds_per_step = Some(cost.nanoseconds_per_step * share);
+        let cost = to_digits(cost.nanoseconds_per_step * share, COST_DIGITS);
+        Arc::make_mut(measurement).nanoseconds_per_step = Some(cost);
     }
 }

@@ -2,12 +2,12 @@
 
 use crate::claim::Claim;
 use crate::measure::drift::rate_order;
-use crate::measure::{self, Asked, Decision, Doubt, Rung, decide};
+use crate::measure::{self, Asked, Decision, Doubt, Metric, Reading, Rung, decide};
 use crate::model::{Quantity, Snapshot, System, sizes};
 use crate::record::stability::Stability;
 use crate::record::{
     Drift, EnergyDrift, EnergyRung, EngineRow, Ladder, Measurement, Order, OrderStatus, ReferenceEvidence,
-    ReferenceRow, RunStatus, SceneRow, SchemeRow, Series, to_digits,
+    ReferenceRow, RunStatus, SceneRow, SchemeRow, Series, TIME_DIGITS, to_digits,
 };
 use crate::reference::Reference;
 use crate::rotation;
@@ -90,48 +90,71 @@ pub(super) fn reference(scene: &Scene, reference: &Reference) -> ReferenceEviden
 
 /// `own_clock`: whether the runs were timed by the program itself that made them. All others are timed after the campaign, alone.
 pub(super) fn measurements(names: &Names, rungs: &[Rung], own_clock: bool) -> Vec<Measurement> {
-    let timed = |rung: &Rung| {
-        let Outcome { steps, nanoseconds, .. } = rung.outcome;
-        (own_clock && steps > 0).then(|| nanoseconds as f64 / steps as f64)
+    let finest = rungs.iter().rposition(|rung| rung.outcome.broken.is_none());
+    let rows = |(index, rung): (usize, &Rung)| {
+        let run = run_row(names, rung, own_clock);
+        let mut rows = error_rows(&run, rung);
+        if Some(index) == finest {
+            rows.extend(metric_rows(&run, rung));
+        }
+        rows
     };
-    rungs.iter().flat_map(|rung| rung_rows(names, rung, timed(rung))).collect()
+    rungs.iter().enumerate().flat_map(rows).collect()
 }
 
 /// Digits of a value in a row, …
 const VALUE_DIGITS: usize = 7;
 /// … of a value against time, which is drawn, …
 const SERIES_DIGITS: usize = 5;
+/// … of a cost, which differs from run to run, …
+pub(super) const COST_DIGITS: usize = 4;
 /// … and of an uncertainty.
 const UNCERTAINTY_DIGITS: usize = 3;
 
-fn rung_rows(names: &Names, rung: &Rung, nanoseconds_per_step: Option<f64>) -> Vec<Measurement> {
-    let outcome = &rung.outcome;
-    let row = |metric: String, value: f64, unit: &str, uncertainty: f64| Measurement {
+/// A row of a run, without its metric.
+fn run_row(names: &Names, rung: &Rung, own_clock: bool) -> Measurement {
+    let Outcome { steps, nanoseconds, evaluations, ref broken, .. } = rung.outcome;
+    let timed = own_clock && steps > 0;
+    Measurement {
         scene: names.scene.to_owned(),
         scheme: names.scheme.to_owned(),
         model: names.model.to_owned(),
         step_s: rung.step,
         steps: rung.steps,
-        metric,
-        value: finite(to_digits(value, VALUE_DIGITS)),
-        unit: unit.to_owned(),
-        uncertainty: finite(to_digits(uncertainty, UNCERTAINTY_DIGITS)),
-        status: if outcome.broken.is_some() { RunStatus::Broken } else { RunStatus::Ok },
-        why: outcome.broken.as_ref().map(ToString::to_string),
-        force_evaluations: outcome.evaluations,
-        nanoseconds_per_step,
+        status: if broken.is_some() { RunStatus::Broken } else { RunStatus::Ok },
+        why: broken.as_ref().map(ToString::to_string),
+        force_evaluations: evaluations,
+        nanoseconds_per_step: timed.then(|| to_digits(nanoseconds as f64 / steps as f64, COST_DIGITS)),
+        ..Measurement::default()
+    }
+}
+
+/// The errors at the end of a run.
+fn error_rows(run: &Measurement, rung: &Rung) -> Vec<Measurement> {
+    let row = |(quantity, errors): (Quantity, &Reading)| Measurement {
+        metric: format!("{}-end", quantity.name()),
+        value: shown(errors.end),
+        unit: quantity.unit().to_owned(),
+        uncertainty: uncertain(rung.floors[quantity].end),
+        ..run.clone()
     };
-    let mut rows = Vec::new();
-    for (quantity, errors) in rung.errors.iter() {
-        let (floors, name, unit) = (&rung.floors[quantity], quantity.name(), quantity.unit());
-        rows.push(row(format!("{name}-end"), errors.end, unit, floors.end));
-    }
+    rung.errors.iter().map(row).collect()
+}
+
+/// The other metrics: the largest value of each over the run. They have rows at the finest step only, the one that tables show.
+fn metric_rows(run: &Measurement, rung: &Rung) -> Vec<Measurement> {
     let rounding = f64::EPSILON * (rung.steps as f64).sqrt();
-    for (metric, reading) in measure::ALL.iter().zip(&rung.readings) {
-        let Some(reading) = reading.filter(|reading| reading.max != 0.0) else { continue };
-        rows.push(row(format!("{}-max", metric.name), reading.max, metric.unit, rounding));
-    }
-    rows
+    let row = |(metric, reading): (&Metric, &Option<Reading>)| {
+        let reading = reading.filter(|reading| reading.max != 0.0)?;
+        Some(Measurement {
+            metric: format!("{}-max", metric.name),
+            value: shown(reading.max),
+            unit: metric.unit.to_owned(),
+            uncertainty: uncertain(rounding),
+            ..run.clone()
+        })
+    };
+    measure::ALL.iter().zip(&rung.readings).filter_map(row).collect()
 }
 
 /// The row of a scheme that cannot take a scene.
@@ -161,7 +184,7 @@ fn order(names: &Names, ladder: &Ladder, quantity: Quantity) -> Order {
         scheme: names.scheme.to_owned(),
         quantity: quantity.name().to_owned(),
         rungs_dropped: asked.runs.len(),
-        floor: last.and_then(|run| finite(asked.floor(run, asked.times.len()))),
+        floor: last.and_then(|run| shown(asked.floor(run, asked.times.len()))),
         unit: quantity.unit().to_owned(),
         ..Order::default()
     };
@@ -171,9 +194,8 @@ fn order(names: &Names, ladder: &Ladder, quantity: Quantity) -> Order {
             // The pairs of runs that r fell over.
             let used = &asked.runs[found.rungs - RUNGS_OF_DECISION..found.rungs];
             row.status = OrderStatus::Decided;
-            (row.order, row.low, row.high) = (Some(found.slope), Some(low), Some(high));
-            (row.constant, row.r, row.until_s) =
-                (finite(to_digits(found.constant, VALUE_DIGITS)), Some(found.r), Some(found.until));
+            (row.order, row.low, row.high) = (shown(found.slope), shown(low), shown(high));
+            (row.constant, row.r, row.until_s) = (shown(found.constant), shown(found.r), Some(found.until));
             (row.rungs_used, row.rungs_dropped) = (used.len(), asked.runs.len() - used.len());
             row.steps_used_s = used.iter().map(|run| run.step).collect();
         }
@@ -226,9 +248,9 @@ pub(super) fn drift_rates(names: &Names, drift: &EnergyDrift) -> Vec<Measurement
         step_s: rung.step,
         steps: rung.steps,
         metric: metric.to_owned(),
-        value: finite(value),
+        value: shown(value),
         unit: unit.to_owned(),
-        uncertainty: finite(uncertainty),
+        uncertainty: shown(uncertainty),
         status: RunStatus::Ok,
         force_evaluations: rung.evaluations,
         ..Measurement::default()
@@ -260,7 +282,7 @@ pub(super) fn series(names: &Names, system: &System, step: f64, states: &[Snapsh
                 step_s: step,
                 quantity: quantity.to_owned(),
                 unit: unit.to_owned(),
-                time_s: states.iter().map(|s| to_digits(s.time, VALUE_DIGITS)).collect(),
+                time_s: states.iter().map(|s| to_digits(s.time, TIME_DIGITS)).collect(),
                 value: value.into_iter().map(|value| to_digits(value, SERIES_DIGITS)).collect(),
             });
         }
@@ -291,6 +313,16 @@ pub(super) fn series(names: &Names, system: &System, step: f64, states: &[Snapsh
         push("angular-momentum-direction", "rad", states.iter().map(direction).collect());
     }
     rows
+}
+
+/// A value as a row has it.
+fn shown(value: f64) -> Option<f64> {
+    finite(to_digits(value, VALUE_DIGITS))
+}
+
+/// An uncertainty as a row has it.
+fn uncertain(value: f64) -> Option<f64> {
+    finite(to_digits(value, UNCERTAINTY_DIGITS))
 }
 
 fn finite(value: f64) -> Option<f64> {

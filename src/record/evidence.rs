@@ -1,12 +1,12 @@
 //! The evidence: all that was measured on a scheme in a scene and that gates read.
 //!
 //! A verdict is a pure function of it, of the error constants on record and of nothing else. Numbers that do not come out of a claim are
-//! kept to five digits, roundings to two.
+//! kept to five digits, roundings to two. In files error vectors and roundings are packed text; false, zero and missing values are left out.
 
 use serde::{Deserialize, Serialize};
 
-use super::DriftClass;
 use super::stability::LinearLimit;
+use super::{DriftClass, packed};
 use crate::claim::Claim;
 use crate::quantity::{PerQuantity, Quantity};
 
@@ -24,6 +24,7 @@ pub struct Evidence {
     /// What the scheme claims.
     pub claims: Vec<Claim>,
     /// Whether it is a program under test.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub program: bool,
     /// Name that a baseline finds it by: a program's own, where it has one.
     pub known_as: String,
@@ -74,22 +75,31 @@ pub struct Setting {
     /// Fingerprint of body, forces, start and duration.
     pub content: String,
     /// Why no order applies, if none does.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub not_for_order: Option<String>,
     /// Whether the scene has the content of the built-in one of its name.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub built_in: bool,
     /// Whether an order is exactly the claimed one here.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub generic: bool,
     /// No torque about the centre of mass, and no pivot.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub torque_free: bool,
     /// No torque, and Ω constant.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub steady_spin: bool,
     /// Two principal moments are equal.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub symmetric: bool,
     /// The force on the centre of mass is constant.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub constant_force: bool,
     /// There is no force on the centre of mass.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub no_force: bool,
     /// The body is a single point, which has no orientation.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub point: bool,
 }
 
@@ -135,13 +145,17 @@ pub struct Rung {
     /// Evaluations of the forces.
     pub evaluations: u64,
     /// Implicit equations that were solved, …
+    #[serde(default, skip_serializing_if = "is_nothing")]
     pub solves: u64,
     /// … and the iterations that they took.
+    #[serde(default, skip_serializing_if = "is_nothing")]
     pub iterations: u64,
     /// Error vectors, the components of one sample time together: X, U, Ω and L in world axes; the orientation as the difference of
     /// rotation matrices over √2, or of the directions of a rod. That of body points follows from them, and is empty.
+    #[serde(with = "packed::lists")]
     pub errors: PerQuantity<Vec<f64>>,
     /// Largest distance of a copy of the run from it, at each sample time.
+    #[serde(with = "packed::lists")]
     pub rounding: PerQuantity<Vec<f64>>,
     /// Largest change of L·g over |L||g|, for a body on a pivot under uniform gravity.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -306,6 +320,7 @@ pub struct Reversal {
     /// The quantity that it belongs to, and the distance in its unit.
     pub worst: Option<(Quantity, f64)>,
     /// Implicit equations that were solved on the way there.
+    #[serde(default, skip_serializing_if = "is_nothing")]
     pub solves: u64,
     /// Angle that roundings leave open [rad].
     pub open: f64,
@@ -332,6 +347,7 @@ pub struct OtherWorld {
     /// Name of the change.
     pub name: String,
     /// Whether the arithmetic allows no difference at all.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub to_the_bit: bool,
     /// Largest difference at the end over its rounding, of all quantities; `None` where the run broke.
     pub of_rounding: Option<f64>,
@@ -340,6 +356,7 @@ pub struct OtherWorld {
     /// Steps of the run.
     pub steps: u64,
     /// Implicit equations that were solved in the scene's own world.
+    #[serde(default, skip_serializing_if = "is_nothing")]
     pub solves: u64,
 }
 
@@ -355,6 +372,11 @@ pub struct ReferenceEvidence {
     /// Why there is no reference, if there is none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub missing: Option<String>,
+}
+
+/// Whether a count is 0, and so left out of a file.
+fn is_nothing(count: &u64) -> bool {
+    *count == 0
 }
 
 /// A number that may be infinite or none: `null` in files, and infinite when read.

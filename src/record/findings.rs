@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::{packed, to_digits};
 use crate::words::words;
 
 words! {
@@ -102,10 +103,10 @@ pub struct Order {
     /// Upper bound of it, p − log₂(1 − r).
     pub high: Option<f64>,
     /// ‖e_k − 2ᵖ e_{k+1}‖/‖e_k‖ of the runs that decide it.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub r: Option<f64>,
     /// The latest time that is decided [s].
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub until_s: Option<f64>,
     /// Leading error constant C = e/hᵖ for h → 0, in `unit`/sᵖ.
     pub constant: Option<f64>,
@@ -114,10 +115,10 @@ pub struct Order {
     /// Runs left out: at rounding, before the asymptotic range, or broken.
     pub rungs_dropped: usize,
     /// The steps of the runs that decide it [s].
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub steps_used_s: Vec<f64>,
     /// Errors below this do not count at the finest step: rounding and the uncertainty of the truth, in `unit`.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub floor: Option<f64>,
     /// Unit of the error.
     #[serde(default)]
@@ -126,7 +127,7 @@ pub struct Order {
     #[serde(default)]
     pub status: OrderStatus,
     /// Reason, where no order is decided.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub why: Option<String>,
 }
 
@@ -170,8 +171,48 @@ pub struct Series {
     pub quantity: String,
     /// Unit of `value`; `1` for relative changes.
     pub unit: String,
-    /// Times [s].
+    /// Times [s], in files the last one and the number of equal intervals.
+    #[serde(with = "even")]
     pub time_s: Vec<f64>,
     /// Values at those times.
+    #[serde(with = "packed::list")]
     pub value: Vec<f64>,
+}
+
+/// Digits of a time in a series.
+pub(crate) const TIME_DIGITS: usize = 7;
+
+/// Times at equal intervals from 0, rounded to [`TIME_DIGITS`].
+mod even {
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    use super::{TIME_DIGITS, to_digits};
+
+    #[derive(Serialize, Deserialize)]
+    #[serde(untagged)]
+    enum Times {
+        Even { to: f64, intervals: usize },
+        Listed(Vec<f64>),
+    }
+
+    fn times(to: f64, intervals: usize) -> Vec<f64> {
+        let time = |index: usize| to_digits(to * index as f64 / intervals as f64, TIME_DIGITS);
+        (0..=intervals).map(time).collect()
+    }
+
+    pub fn serialize<S: Serializer>(listed: &[f64], serializer: S) -> Result<S::Ok, S::Error> {
+        if let [_, .., to] = *listed
+            && times(to, listed.len() - 1) == listed
+        {
+            return Times::Even { to, intervals: listed.len() - 1 }.serialize(serializer);
+        }
+        listed.serialize(serializer)
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<f64>, D::Error> {
+        Ok(match Times::deserialize(deserializer)? {
+            Times::Even { to, intervals } => times(to, intervals),
+            Times::Listed(listed) => listed,
+        })
+    }
 }

@@ -9,6 +9,7 @@ mod cost;
 mod engines;
 mod evidence;
 mod findings;
+mod packed;
 mod published;
 mod subjects;
 #[cfg(feature = "cli")]
@@ -27,6 +28,7 @@ pub use crate::claim::ClaimName;
 pub use cost::{CostRow, Grows, ScalingRow};
 pub use engines::{EngineRow, PeerRow, Twin};
 pub use evidence::*;
+pub(crate) use findings::TIME_DIGITS;
 pub use findings::{Drift, DriftClass, Measurement, Order, OrderStatus, RunStatus, Series};
 pub use published::{Agreement, PublishedRow, Sureness, last_digit};
 pub use subjects::{ReferenceRow, SceneRow, SchemeRow};
@@ -59,7 +61,8 @@ pub struct Records {
     /// The schemes, in the order of the campaign.
     #[serde(default)]
     pub schemes: Vec<SchemeRow>,
-    /// One row a scene, scheme, step and metric; nine tenths of the records, and so shared where records are cloned.
+    /// One row a scene, scheme, step and error; the other metrics have rows at the finest step. Most of the records, and so shared where
+    /// records are cloned.
     pub measurements: Vec<Arc<Measurement>>,
     /// One row a scene, scheme and quantity: the fitted order of convergence.
     pub orders: Vec<Order>,

@@ -73,12 +73,12 @@ impl Formatter for RowALine {
     fn begin_array_value<W: Write + ?Sized>(&mut self, writer: &mut W, first: bool) -> io::Result<()> {
         self.filled = true;
         writer.write_all(if first { b"" } else { b"," })?;
-        if self.depth == ROWS { writer.write_all(b"\n  ") } else { Ok(()) }
+        if self.depth == ROWS { writer.write_all(b"\n") } else { Ok(()) }
     }
 
     fn end_array<W: Write + ?Sized>(&mut self, writer: &mut W) -> io::Result<()> {
         let rows = self.depth == ROWS && self.filled;
-        self.close(writer, if rows { b"\n ]" } else { b"]" })
+        self.close(writer, if rows { b"\n]" } else { b"]" })
     }
 
     fn begin_object<W: Write + ?Sized>(&mut self, writer: &mut W) -> io::Result<()> {
@@ -87,7 +87,7 @@ impl Formatter for RowALine {
 
     fn begin_object_key<W: Write + ?Sized>(&mut self, writer: &mut W, first: bool) -> io::Result<()> {
         writer.write_all(if first { b"" } else { b"," })?;
-        if self.depth == KEYS { writer.write_all(b"\n ") } else { Ok(()) }
+        if self.depth == KEYS { writer.write_all(b"\n") } else { Ok(()) }
     }
 
     fn begin_object_value<W: Write + ?Sized>(&mut self, writer: &mut W) -> io::Result<()> {
@@ -122,11 +122,15 @@ mod tests {
         let lines: Vec<&str> = text.lines().collect();
         assert_eq!(lines.first(), Some(&"{"));
         assert_eq!(lines.last(), Some(&"}"));
-        assert!(lines.contains(&" \"measurements\": [],"), "{text}");
-        assert!(lines.contains(&" \"series\": ["), "{text}");
-        let rows: Vec<&&str> = lines.iter().filter(|line| line.starts_with("  {")).collect();
+        assert!(lines.contains(&"\"measurements\": [],"), "{text}");
+        assert!(lines.contains(&"\"series\": ["), "{text}");
+        let rows: Vec<&&str> = lines.iter().filter(|line| line.starts_with("{\"")).collect();
         assert_eq!(rows.len(), 2);
-        assert!(rows[0].ends_with("\"time_s\":[0.0,0.5],\"value\":[]},"), "{}", rows[0]);
+        assert!(
+            rows[0].ends_with("\"time_s\":{\"to\":0.5,\"intervals\":1},\"value\":\"2\"},"),
+            "{}",
+            rows[0]
+        );
         assert_eq!(serde_json::from_str::<Records>(&text).expect("records"), records);
         assert_eq!(
             serde_json::to_value(&records).expect("a value"),

@@ -1,5 +1,7 @@
 //! The verdicts for the terminal.
 
+use std::collections::HashMap;
+
 use comfy_table::{Attribute, Cell, ContentArrangement, Table, TableComponent, presets};
 
 use crate::record::{Records, Ruling, Verdict};
@@ -26,18 +28,27 @@ pub fn verdict_table(records: &Records, verbose: bool) -> String {
 /// A line for each program that solves another motion, in each scene: the size of the error, and what explains it.
 pub fn elsewhere(records: &Records) -> String {
     let mut text = String::new();
-    for scene in survey::scenes(records) {
-        for scheme in survey::schemes(records) {
-            let own = |v: &&Verdict| v.scene == scene && v.scheme == scheme;
-            let mut fails = records.verdicts.iter().filter(own).filter(|v| v.verdict == Ruling::Fail);
-            let cause = records.verdicts.iter().filter(own).find(|v| v.quantity == "cause");
-            if let (Some(first), Some(cause)) = (fails.next(), cause) {
-                let what = first.detail.split(" (").next().unwrap_or_default();
-                text += &format!("{scheme} in {scene}, {}: {what}; {}\n", first.quantity, cause.detail);
-            }
+    for (scene, scheme, own) in cells(records) {
+        let first = own.iter().find(|verdict| verdict.verdict == Ruling::Fail);
+        let cause = own.iter().find(|verdict| verdict.quantity == "cause");
+        if let (Some(first), Some(cause)) = (first, cause) {
+            let what = first.detail.split(" (").next().unwrap_or_default();
+            text += &format!("{scheme} in {scene}, {}: {what}; {}\n", first.quantity, cause.detail);
         }
     }
     text
+}
+
+/// The verdicts on each scheme in each scene, where there are any.
+fn cells(records: &Records) -> Vec<(&str, &str, Vec<&Verdict>)> {
+    let mut cells: HashMap<(&str, &str), Vec<&Verdict>> = HashMap::new();
+    for verdict in &records.verdicts {
+        cells.entry((&verdict.scene, &verdict.scheme)).or_default().push(verdict);
+    }
+    let schemes = survey::schemes(records);
+    let places =
+        survey::scenes(records).into_iter().flat_map(|scene| schemes.iter().map(move |s| (scene, *s)));
+    places.filter_map(|place| Some((place.0, place.1, cells.remove(&place)?))).collect()
 }
 
 fn table(header: &[&str]) -> Table {
@@ -52,12 +63,10 @@ fn table(header: &[&str]) -> Table {
 fn counts_table(records: &Records) -> Table {
     let mut table = table(&["scene", "scheme", "worst", "verdicts"]);
     table.remove_style(TableComponent::HorizontalLines);
-    for scene in survey::scenes(records) {
-        for scheme in survey::schemes(records) {
-            let mine = records.verdicts.iter().filter(|row| row.scene == scene && row.scheme == scheme);
-            let Some(worst) = mine.clone().map(Outcome::of).min() else { continue };
-            table.add_row([scene, scheme, worst.words(), &survey::tally_words(&survey::tally(mine))]);
-        }
+    for (scene, scheme, own) in cells(records) {
+        let own = || own.iter().copied();
+        let Some(worst) = own().map(Outcome::of).min() else { continue };
+        table.add_row([scene, scheme, worst.words(), &survey::tally_words(&survey::tally(own()))]);
     }
     table
 }

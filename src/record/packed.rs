@@ -1,0 +1,238 @@
+//! Lists of numbers as text: four characters a number, where JSON takes eleven. A number is a sign, a mantissa m of d digits and an exponent e:
+//!
+//! ```text
+//! (1)  number = ± m · 10^e,   place = ((e + e₀) · 9 · 10^(d−1) + m − 10^(d−1)) · 2 + sign
+//! ```
+//!
+//! The place is written in base 64, the highest digit first. The first character of the text is d: `5` has four characters a number and
+//! e₀ = 70, `2` has two, e₀ = 34 and no sign, and `*` has the 64 bits of the double in eleven. A dot is a zero, whose sign is lost. Lists are
+//! separated by commas. A reader gets each number back to the last bit.
+
+use serde::de::{Error, SeqAccess, Visitor, value::SeqAccessDeserializer};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use crate::quantity::{PerQuantity, Quantity};
+
+const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+
+/// A code: how numbers of so many digits are written.
+#[derive(Clone, Copy)]
+struct Code {
+    /// First character of the text.
+    name: u8,
+    /// Characters of a number.
+    width: u32,
+    /// Smallest mantissa, 10^(d − 1); 0 where the bits are written.
+    least: u64,
+    /// −e₀, the smallest exponent.
+    exponent: i32,
+    /// Values of the sign.
+    signs: u64,
+}
+
+/// The codes, the shortest first.
+const CODES: [Code; 3] = [
+    Code { name: b'2', width: 2, least: 10, exponent: -34, signs: 1 },
+    Code { name: b'5', width: 4, least: 10_000, exponent: -70, signs: 2 },
+    Code { name: b'*', width: 11, least: 0, exponent: 0, signs: 1 },
+];
+
+impl Code {
+    /// (1), or the bits; `None` where the code does not hold the number.
+    fn place(&self, value: f64) -> Option<u64> {
+        if self.least == 0 {
+            return Some(value.to_bits());
+        }
+        let digits = self.least.ilog10() as usize;
+        let text = format!("{:.digits$e}", value.abs());
+        let (mantissa, power) = text.split_once('e')?;
+        let mantissa: u64 = mantissa.replace('.', "").parse().ok()?;
+        let exponent = power.parse::<i32>().ok()? - digits as i32;
+        let above = u64::try_from(exponent - self.exponent).ok()?;
+        let place = (above * 9 * self.least + mantissa - self.least) * self.signs;
+        let whole = decimal(mantissa, exponent) == value.abs() && place + 1 < 1 << (6 * self.width);
+        (whole && (value > 0.0 || self.signs == 2)).then_some(place + u64::from(value < 0.0))
+    }
+
+    fn number(&self, place: u64) -> f64 {
+        if self.least == 0 {
+            return f64::from_bits(place);
+        }
+        let (sign, place) = (place % self.signs, place / self.signs);
+        let (above, mantissa) = (place / (9 * self.least), place % (9 * self.least) + self.least);
+        let size = decimal(mantissa, above as i32 + self.exponent);
+        if sign == 1 { -size } else { size }
+    }
+}
+
+/// m · 10^e, to the nearest double.
+fn decimal(mantissa: u64, exponent: i32) -> f64 {
+    // Powers of ten to the 22nd are doubles: one product or quotient of doubles is rounded once.
+    match exponent {
+        0..=22 => mantissa as f64 * 10f64.powi(exponent),
+        -22..0 => mantissa as f64 / 10f64.powi(-exponent),
+        _ => format!("{mantissa}e{exponent}").parse().unwrap_or(f64::NAN),
+    }
+}
+
+/// Lists of numbers as text, in the shortest code that holds all of them.
+fn pack(lists: &[&[f64]]) -> String {
+    let written = |code: &Code| {
+        let mut text = vec![code.name];
+        for (index, list) in lists.iter().enumerate() {
+            text.extend((index > 0).then_some(b','));
+            for value in *list {
+                if *value == 0.0 {
+                    text.push(b'.');
+                    continue;
+                }
+                let place = code.place(*value)?;
+                text.extend((0..code.width).rev().map(|digit| DIGITS[(place >> (6 * digit)) as usize % 64]));
+            }
+        }
+        String::from_utf8(text).ok()
+    };
+    CODES.iter().find_map(written).unwrap_or_default()
+}
+
+/// The lists of such a text; `None` where it is none.
+fn unpack(text: &str) -> Option<Vec<Vec<f64>>> {
+    let (name, mut rest) = text.as_bytes().split_first()?;
+    let code = CODES.iter().find(|code| code.name == *name)?;
+    let mut lists = vec![Vec::new()];
+    while let Some((first, after)) = rest.split_first() {
+        let list = lists.last_mut()?;
+        rest = after;
+        match first {
+            b',' => lists.push(Vec::new()),
+            b'.' => list.push(0.0),
+            first => {
+                let (others, after) = rest.split_at_checked(code.width as usize - 1)?;
+                let add = |place: u64, digit: &u8| Some(place << 6 | value_of(*digit)?);
+                list.push(code.number(others.iter().try_fold(value_of(*first)?, add)?));
+                rest = after;
+            }
+        }
+    }
+    Some(lists)
+}
+
+/// Value of a digit in base 64.
+fn value_of(digit: u8) -> Option<u64> {
+    Some(u64::from(match digit {
+        b'A'..=b'Z' => digit - b'A',
+        b'a'..=b'z' => digit - b'a' + 26,
+        b'0'..=b'9' => digit - b'0' + 52,
+        b'-' => 62,
+        b'_' => 63,
+        _ => return None,
+    }))
+}
+
+/// Packed numbers, or the list that files of former versions have.
+struct Packed<const LISTS: usize>;
+
+impl<'de, const LISTS: usize> Visitor<'de> for Packed<LISTS> {
+    type Value = [Vec<f64>; LISTS];
+
+    fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        write!(f, "a list of numbers, or {LISTS} lists of them as packed text")
+    }
+
+    fn visit_str<E: Error>(self, text: &str) -> Result<Self::Value, E> {
+        let lists = unpack(text).and_then(|lists| lists.try_into().ok());
+        lists.ok_or_else(|| E::invalid_value(serde::de::Unexpected::Str(text), &self))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, lists: A) -> Result<Self::Value, A::Error> {
+        let lists = SeqAccessDeserializer::new(lists);
+        if LISTS == 1 {
+            return Ok(std::array::from_fn({
+                let mut list = Some(Vec::deserialize(lists)?);
+                move |_| list.take().unwrap_or_default()
+            }));
+        }
+        let lists = Vec::deserialize(lists)?;
+        let found = lists.len();
+        lists.try_into().map_err(|_| A::Error::invalid_length(found, &"a list for each quantity"))
+    }
+}
+
+/// A list.
+pub(super) mod list {
+    use super::*;
+
+    pub fn serialize<S: Serializer>(list: &[f64], serializer: S) -> Result<S::Ok, S::Error> {
+        pack(&[list]).serialize(serializer)
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<f64>, D::Error> {
+        let [list] = deserializer.deserialize_any(Packed::<1>)?;
+        Ok(list)
+    }
+}
+
+/// A list for each quantity.
+pub(super) mod lists {
+    use super::*;
+
+    pub fn serialize<S: Serializer>(lists: &PerQuantity<Vec<f64>>, serializer: S) -> Result<S::Ok, S::Error> {
+        pack(&Quantity::ALL.map(|quantity| lists[quantity].as_slice())).serialize(serializer)
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(
+        deserializer: D,
+    ) -> Result<PerQuantity<Vec<f64>>, D::Error> {
+        deserializer.deserialize_any(Packed::<{ Quantity::ALL.len() }>).map(PerQuantity::from)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_come_back_to_the_last_bit_in_the_shortest_code_that_holds_them() {
+        let two = [1e-33, 9.9e-5, 0.5, 30.0, 9.9e10, 0.0];
+        let five = [-1e-66, 9.9999e-9, -0.25, 123.45, -9.9999e25, 0.0, 3e-24];
+        let all = [std::f64::consts::PI, -0.1 - 0.2, 1e-300, f64::MAX, f64::NAN, f64::NEG_INFINITY, 0.0];
+        for (numbers, sign, length) in [(&two[..], '2', 12), (&five, '5', 26), (&all, '*', 68)] {
+            let text = pack(&[numbers]);
+            assert!(text.starts_with(sign) && text.len() == length, "{text}");
+            let bits = |list: &[f64]| list.iter().map(|number| number.to_bits()).collect::<Vec<_>>();
+            assert_eq!(bits(&unpack(&text).expect("lists")[0]), bits(numbers));
+        }
+        assert!(pack(&[&[1e-67]]).starts_with('*') && pack(&[&[-1.5]]).starts_with('5'));
+    }
+
+    #[test]
+    fn a_decimal_number_is_the_one_that_is_parsed() {
+        for exponent in -75..30 {
+            for mantissa in [10, 10_000, 12_345, 31_906, 99_999] {
+                assert_eq!(Ok(decimal(mantissa, exponent)), format!("{mantissa}e{exponent}").parse());
+            }
+        }
+    }
+
+    #[test]
+    fn lists_of_former_files_and_texts_are_read_and_others_are_not() {
+        #[derive(Debug, PartialEq, Serialize, Deserialize)]
+        struct Row {
+            #[serde(with = "list")]
+            one: Vec<f64>,
+            #[serde(with = "lists")]
+            each: PerQuantity<Vec<f64>>,
+        }
+        let each = PerQuantity::from([vec![0.5, 0.0], vec![], vec![-3.25], vec![], vec![1e-9], vec![]]);
+        let row = Row { one: vec![1.0, 0.0], each };
+        let former = r#"{"one":[1.0,0.0],"each":[[0.5,0.0],[],[-3.25],[],[1e-9],[]]}"#;
+        assert_eq!(serde_json::from_str::<Row>(former).expect("lists"), row);
+        let text = serde_json::to_string(&row).expect("JSON");
+        assert_eq!(serde_json::from_str::<Row>(&text).expect("texts"), row);
+        for wrong in ["", "7", "2A", "2,,", "5AAA", "5AA A"] {
+            let text = format!(r#"{{"one":"{wrong}","each":"2,,,,,"}}"#);
+            assert!(serde_json::from_str::<Row>(&text).is_err(), "{wrong}");
+        }
+        assert!(serde_json::from_str::<Row>(r#"{"one":[],"each":[[],[]]}"#).is_err());
+    }
+}
