@@ -52,6 +52,12 @@ fn polynomial<T: Real>(m: usize, e: T, [e1, e2, e3]: [T; 3]) -> (T, T) {
         .fold((zero, zero), |(value, slope), coefficient| (value * e + *coefficient, slope * e + value))
 }
 
+/// The largest power of two that is no larger than a positive number.
+fn power_of_two(x: f64) -> f64 {
+    const EXPONENT: u64 = 0x7ff << 52;
+    f64::from_bits(x.to_bits() & EXPONENT)
+}
+
 /// The moments Ĩ [kg m²] of (4) with the first `terms` polynomials: order 2 + 2 `terms` for a free body.
 pub(super) fn preprocessed<T: Real>(
     moments: &Vector3<T>,
@@ -64,7 +70,8 @@ pub(super) fn preprocessed<T: Real>(
         return *moments;
     }
     // In units of a node, rounded to a power of two: products of nodes stay near one in every system of units.
-    let unit = T::of(2f64.powi((0.5 / moments.min().to_f64()).log2().floor() as i32));
+    let unit = power_of_two(0.5 / moments[0].to_f64());
+    let per_unit = 1.0 / unit;
     let nodes = moments.map(|moment| T::of(0.5) / (moment * unit));
     let eta = momentum.component_mul(&nodes).dot(momentum) / square;
     let length = h * unit;
@@ -82,5 +89,5 @@ pub(super) fn preprocessed<T: Real>(
         }
         (sigma, delta) = (T::one() / by_energy, -by_square / by_energy); // (4)
     }
-    nodes.map(|node| T::of(0.5) / (sigma * node + delta) / unit)
+    nodes.map(|node| T::of(0.5) / (sigma * node + delta) * per_unit)
 }
