@@ -3,14 +3,17 @@
 use std::io::{self, BufWriter, Write};
 use std::path::PathBuf;
 
+use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueEnum};
 use serde_json::json;
 
 use super::{Failure, select};
-use crate::model::{Snapshot, System};
+use crate::arithmetic::{DoubleDouble, Real, Single};
+use crate::model::{Snapshot, System, SystemError};
 use crate::record::{RunStatus, WholeFile};
+use crate::reference::precise::{self, decimal};
 use crate::scenes::Scene;
-use crate::simulate::{Form, Outcome, Plan};
+use crate::simulate::{Arithmetic, Contestant, Form, Outcome, Plan, Precision};
 
 /// Options of `polhode run`.
 #[derive(Args, Clone, Debug)]
@@ -42,6 +45,9 @@ pub(super) struct Options {
     /// The least model that determines the motion, or every mass point
     #[arg(long, value_enum, default_value_t = ModelChoice::Least)]
     model: ModelChoice,
+    /// Arithmetic of the run
+    #[arg(long, value_name = "A", default_value = f64::NAME, value_parser = PossibleValuesParser::new(Precision::ALL.map(Precision::name)))]
+    precision: String,
     /// Format of the states
     #[arg(long, value_enum, default_value_t = Format::Json)]
     format: Format,
@@ -54,7 +60,8 @@ const EXAMPLES: &str = "\
 Examples:
   polhode run dzhanibekov --scheme peskin-rk2 --step 0.01 --every 10
   polhode run my-body.toml --scheme euler --steps 1000 --format csv --out run.csv
-  polhode run kovalevskaya --scheme peskin-rk2 --steps 600 --model points";
+  polhode run kovalevskaya --scheme peskin-rk2 --steps 600 --model points
+  polhode run kovalevskaya --scheme rkmk4 --steps 600 --every 600 --precision double-double";
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum ModelChoice {
@@ -69,24 +76,27 @@ enum Format {
 }
 
 pub(super) fn run(options: &Options) -> Result<u8, Failure> {
+    match Precision::named(&options.precision) {
+        Some(Precision::F32) => run_in::<Single>(options),
+        Some(Precision::DoubleDouble) => run_in::<DoubleDouble>(options),
+        _ => run_in::<f64>(options),
+    }
+}
+
+fn run_in<T: Written>(options: &Options) -> Result<u8, Failure> {
     let contestant = select::contestant(&options.scheme)?;
     let scene = Scene::find(&options.scene)?;
     let plan = plan(options, scene.duration)?;
-    if let Some(reason) = contestant.refusal(&scene.system) {
-        return Err(Failure::Model(format!("{} cannot take {}: {reason}", contestant.card.name, scene.name)));
-    }
-    let form = match options.model {
-        ModelChoice::Points if !contestant.takes_points() => {
-            let name = contestant.card.name;
-            return Err(Failure::Usage(format!(
-                "{name} has a body of its own and does not run on mass points"
-            )));
-        }
-        ModelChoice::Points => Form::Points,
-        ModelChoice::Least => Form::Least,
+    let cannot = |reason: &str| {
+        Failure::Model(format!("{} cannot take {}: {reason}", contestant.card.name, scene.name))
     };
-    let given =
-        form.model(&scene.system).map_err(|error| Failure::Model(format!("{}: {error}", scene.name)))?;
+    if let Some(reason) = contestant.refusal(&scene.system) {
+        return Err(cannot(&reason));
+    }
+    let form = form(options, &contestant)?;
+    let unfit = |error: SystemError| Failure::Model(format!("{}: {error}", scene.name));
+    let given = form.model(&scene.system).map_err(unfit)?;
+    let system = System::<T>::of(&scene.system).map_err(unfit)?;
     let model = if form == Form::Least { contestant.model(&scene.system) } else { given.name() };
     let mut file = options.out.as_deref().map(WholeFile::begin).transpose()?;
     let mut stdout = BufWriter::new(io::stdout().lock());
@@ -96,18 +106,12 @@ pub(super) fn run(options: &Options) -> Result<u8, Failure> {
     };
     let name = options.out.as_ref().map_or("stdout".to_owned(), |path| path.display().to_string());
     let fail = |source| Failure::Write { name, source };
-    let mut writer = StateWriter {
-        sink,
-        system: &scene.system,
-        plan,
-        count: 0,
-        failed: None,
-        format: options.format,
-        heading: heading(options.format, &scene.name, contestant.card.name, model, &plan),
-    };
-    let outcome = contestant.stream(&scene.system, form, &plan, &mut |snapshot| writer.push(snapshot));
+    let heading = heading::<T>(options.format, &scene.name, contestant.card.name, model, &plan);
+    let mut writer =
+        StateWriter { sink, system: &system, plan, count: 0, failed: None, format: options.format, heading };
+    let outcome = contestant.stream_in(&system, form, &plan, &mut |snapshot| writer.push(snapshot));
     if let Some(reason) = outcome.refusal() {
-        return Err(Failure::Model(format!("{} cannot take {}: {reason}", contestant.card.name, scene.name)));
+        return Err(cannot(reason));
     }
     writer.close(&outcome).map_err(fail)?;
     if let Some(file) = file {
@@ -118,6 +122,54 @@ pub(super) fn run(options: &Options) -> Result<u8, Failure> {
     }
     Ok(u8::from(outcome.broken.is_some()))
 }
+
+fn form(options: &Options, contestant: &Contestant) -> Result<Form, Failure> {
+    match options.model {
+        ModelChoice::Points if !contestant.takes_points() => Err(Failure::Usage(format!(
+            "{} has a body of its own and does not run on mass points",
+            contestant.card.name
+        ))),
+        ModelChoice::Points => Ok(Form::Points),
+        ModelChoice::Least => Ok(Form::Least),
+    }
+}
+
+/// An arithmetic whose numbers are written with all their digits.
+trait Written: Arithmetic {
+    /// The number as CSV has it.
+    fn text(self) -> String;
+
+    /// The number as JSON has it.
+    fn json(self) -> String {
+        if self.is_finite() { self.text() } else { "null".to_owned() }
+    }
+}
+
+impl Written for f64 {
+    fn text(self) -> String {
+        self.to_string()
+    }
+
+    fn json(self) -> String {
+        json!(self).to_string()
+    }
+}
+
+impl Written for Single {
+    fn text(self) -> String {
+        (self.to_f64() as f32).to_string()
+    }
+}
+
+impl Written for DoubleDouble {
+    fn text(self) -> String {
+        let (high, low) = self.parts();
+        decimal::write(precise::DoubleDouble::of_sum(high, low), DIGITS)
+    }
+}
+
+/// Digits of a double-double number.
+const DIGITS: usize = 32;
 
 /// The steps of a run: H must divide the duration to rounding.
 fn plan(options: &Options, own_duration: f64) -> Result<Plan, Failure> {
@@ -157,9 +209,9 @@ fn steps_of(step: f64, duration: f64) -> Result<u64, Failure> {
 }
 
 /// Writes states as they come.
-struct StateWriter<'a> {
+struct StateWriter<'a, T: Written> {
     sink: &'a mut dyn Write,
-    system: &'a System,
+    system: &'a System<T>,
     plan: Plan,
     count: u64,
     failed: Option<io::Error>,
@@ -171,11 +223,12 @@ struct StateWriter<'a> {
 const CSV_HEADER: &str =
     "step,t,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz,lx,ly,lz,kinetic_energy_j,potential_energy_j";
 
-fn heading(format: Format, scene: &str, scheme: &str, model: &str, plan: &Plan) -> String {
+fn heading<T: Written>(format: Format, scene: &str, scheme: &str, model: &str, plan: &Plan) -> String {
     match format {
         Format::Csv => format!("{CSV_HEADER}\n"),
         Format::Json => format!(
-            "{{\n  \"schema\": \"polhode/run/1\",\n  \"scene\": {},\n  \"scheme\": {},\n  \"model\": {},\n  \"step_s\": {},\n  \"states\": [",
+            "{{\n  \"schema\": \"polhode/run/1\",\n  \"precision\": {},\n  \"scene\": {},\n  \"scheme\": {},\n  \"model\": {},\n  \"step_s\": {},\n  \"states\": [",
+            json!(T::NAME),
             json!(scene),
             json!(scheme),
             json!(model),
@@ -184,13 +237,13 @@ fn heading(format: Format, scene: &str, scheme: &str, model: &str, plan: &Plan) 
     }
 }
 
-impl StateWriter<'_> {
+impl<T: Written> StateWriter<'_, T> {
     fn open(&mut self) -> io::Result<()> {
         write!(self.sink, "{}", std::mem::take(&mut self.heading))
     }
 
-    /// Takes a state; a sink that fails is told about at the end.
-    fn push(&mut self, snapshot: &Snapshot) {
+    /// Takes a state; the failure of a sink is reported at the end.
+    fn push(&mut self, snapshot: &Snapshot<T>) {
         if self.failed.is_none()
             && let Err(error) = self.write(snapshot)
         {
@@ -200,36 +253,40 @@ impl StateWriter<'_> {
         self.count += 1;
     }
 
-    fn write(&mut self, s: &Snapshot) -> io::Result<()> {
+    fn write(&mut self, s: &Snapshot<T>) -> io::Result<()> {
         self.open()?;
-        let step = (s.time / self.plan.step).round() as u64;
+        let step = (s.time.to_f64() / self.plan.step).round() as u64;
         let q = s.orientation.quaternion();
-        let kinetic = self.system.kinetic_energy(s);
-        let potential = self.system.potential_energy(s);
+        let attitude = [q.w, q.i, q.j, q.k];
+        let (kinetic, potential) = (self.system.kinetic_energy(s), self.system.potential_energy(s));
         match self.format {
             Format::Csv => {
-                write!(self.sink, "{step},{}", s.time)?;
-                let attitude = [q.w, q.i, q.j, q.k];
+                write!(self.sink, "{step},{}", s.time.text())?;
                 let vectors = [&s.velocity, &s.angular_velocity, &s.angular_momentum];
                 let numbers = s.position.iter().chain(&attitude).chain(vectors.into_iter().flatten());
                 for number in numbers {
-                    write!(self.sink, ",{number}")?;
+                    write!(self.sink, ",{}", number.text())?;
                 }
-                writeln!(self.sink, ",{kinetic},{}", potential.map_or(String::new(), |p| p.to_string()))
+                writeln!(self.sink, ",{},{}", kinetic.text(), potential.map_or(String::new(), T::text))
             }
             Format::Json => {
-                let state = json!({
-                    "step": step,
-                    "time_s": s.time,
-                    "position_m": s.position.as_slice(),
-                    "velocity_m_s": s.velocity.as_slice(),
-                    "orientation_wxyz": [q.w, q.i, q.j, q.k],
-                    "angular_velocity_rad_s": s.angular_velocity.as_slice(),
-                    "angular_momentum_kg_m2_s": s.angular_momentum.as_slice(),
-                    "kinetic_energy_j": kinetic,
-                    "potential_energy_j": potential,
-                });
-                write!(self.sink, "{}\n    {state}", if self.count == 0 { "" } else { "," })
+                let list = |numbers: &[T]| {
+                    format!("[{}]", numbers.iter().map(|x| x.json()).collect::<Vec<_>>().join(","))
+                };
+                let potential = potential.map_or("null".to_owned(), T::json);
+                let rows = [
+                    ("angular_momentum_kg_m2_s", list(s.angular_momentum.as_slice())),
+                    ("angular_velocity_rad_s", list(s.angular_velocity.as_slice())),
+                    ("kinetic_energy_j", kinetic.json()),
+                    ("orientation_wxyz", list(&attitude)),
+                    ("position_m", list(s.position.as_slice())),
+                    ("potential_energy_j", potential),
+                    ("step", step.to_string()),
+                    ("time_s", s.time.json()),
+                    ("velocity_m_s", list(s.velocity.as_slice())),
+                ];
+                let rows = rows.map(|(key, value)| format!("\"{key}\":{value}")).join(",");
+                write!(self.sink, "{}\n    {{{rows}}}", if self.count == 0 { "" } else { "," })
             }
         }
     }

@@ -137,10 +137,13 @@ impl System {
 
 impl<T: Real> System<T> {
     /// The same system in this arithmetic. Its f64 numbers are taken as exact, and what follows from them is computed anew.
-    pub fn of(system: &System) -> System<T> {
-        let body = Body::<T>::of(&system.body);
-        let origin = system.origin().map(T::of);
-        let Start { position, orientation, velocity, angular_momentum } = &system.start;
+    ///
+    /// # Errors
+    /// [`SystemError::Range`].
+    pub fn of(given: &System) -> Result<System<T>, SystemError> {
+        let body = Body::<T>::of(&given.body);
+        let origin = given.origin().map(T::of);
+        let Start { position, orientation, velocity, angular_momentum } = &given.start;
         let mut start = Start {
             position: position.map(T::of),
             orientation: rotation_of(orientation),
@@ -153,7 +156,7 @@ impl<T: Real> System<T> {
             let momentum = start.angular_momentum;
             start.angular_momentum = momentum - direction * direction.dot(&momentum);
         }
-        let laws = system.forces.laws().iter().map(Law::of).collect();
+        let laws = given.forces.laws().iter().map(Law::of).collect();
         let forces = Forces::new(laws, &body);
         let mut system = System { body, forces, start };
         if system.body.pivoted {
@@ -163,7 +166,20 @@ impl<T: Real> System<T> {
             start.position = origin + arm;
             start.velocity = (start.orientation * (system.body.inverse_inertia() * momentum)).cross(&arm);
         }
-        system
+        if !system.holds(given) {
+            return Err(SystemError::Range { arithmetic: T::NAME });
+        }
+        Ok(system)
+    }
+
+    /// Whether mass, moments and L are numbers of this arithmetic that are zero only where those of the f64 system are.
+    fn holds(&self, given: &System) -> bool {
+        fn sizes<T: Real>(system: &System<T>) -> [T; 5] {
+            let [a, b, c] = system.body.inverse_moments().into();
+            [a, b, c, system.body.mass, system.start.angular_momentum.amax()]
+        }
+        let kept = |(own, given): (T, f64)| own.is_finite() && (own != 0.0 || given == 0.0);
+        sizes(self).into_iter().zip(sizes(given)).all(kept)
     }
 
     /// Position of the origin at t = 0 [m], world: the pivot, or the centre of mass.

@@ -157,7 +157,7 @@ fn located(error: &SystemError, entries: &[Value], spin: Option<&Value>, whole: 
         SystemError::PointIndex { index, points, .. } => {
             (in_law(*index, "point"), format!(": write point = 0 to {}", points - 1))
         }
-        SystemError::NoPointForm => (None, String::new()),
+        SystemError::NoPointForm | SystemError::Range { .. } => (None, String::new()),
     };
     let message = format!("{error}{advice}");
     place.map_or_else(|| whole.refuse("body", message.clone()), |place| place.refuse(message.clone()))

@@ -217,8 +217,7 @@ macro_rules! list {
 
         /// Calls the visitor with every scheme, in the order of the list.
         pub(crate) fn visit_all<V: Visitor>(visitor: &V) -> Vec<V::Output> {
-            let mut all = Vec::new();
-            $(all.push(visitor.visit($scheme));)*
+            let mut all = vec![$(visitor.visit($scheme)),*];
             $(turning!(all, visitor, $turning $([$($parameter),*])?);)*
             $(all.push(visitor.visit_points($points));)*
             all

@@ -20,6 +20,11 @@ impl Precision {
     /// All, in the order of their names on the command line.
     pub const ALL: [Precision; 3] = [Precision::F64, Precision::F32, Precision::DoubleDouble];
 
+    /// The arithmetic of this name.
+    pub fn named(name: &str) -> Option<Precision> {
+        Precision::ALL.into_iter().find(|precision| precision.name() == name)
+    }
+
     /// The name on the command line and in records.
     pub fn name(self) -> &'static str {
         match self {

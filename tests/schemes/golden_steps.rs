@@ -75,7 +75,7 @@ fn worst_in<T: Arithmetic>() -> (f64, u32) {
         serde_json::from_str(include_str!("../../references/golden_steps.json")).expect("JSON");
     let (mut worst, mut compared) = (0.0f64, 0);
     for (name, entry) in golden["scenes"].as_object().expect("scenes") {
-        let system = System::<T>::of(&scene(name).system);
+        let system = System::<T>::of(&scene(name).system).expect("a system");
         let step = entry["h"].as_f64().expect("a step");
         for run in entry["runs"].as_array().expect("runs") {
             let contestant = contestant(if run["scheme"] == "peskin" { "peskin-rk2" } else { "euler" });

@@ -65,4 +65,12 @@ pub enum SystemError {
     /// The point form of a body that has none.
     #[error("no positive masses have this body's inertia: it has no point form; use --model least")]
     NoPointForm,
+    /// Numbers that an arithmetic does not hold.
+    #[error(
+        "moments, mass or momentum leave the range of {arithmetic}; choose units in which they are nearer to one"
+    )]
+    Range {
+        /// Name of the arithmetic.
+        arithmetic: &'static str,
+    },
 }
