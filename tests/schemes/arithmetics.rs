@@ -47,7 +47,7 @@ fn apart<T: Arithmetic>(scene: &Scene, own: &Snapshot<T>, known: &Snapshot) -> f
         q.norm().min(mirrored.norm()),
     ]
     .into_iter()
-    .fold(0.0, f64::max)
+    .fold(0.0, |largest, off| if off > largest || off.is_nan() { off } else { largest })
 }
 
 /// How far every scheme is from its f64 run, in every scene that it takes: the rows above a bound.
@@ -73,7 +73,7 @@ fn above<T: Arithmetic>(bound: f64, form: Form) -> (Vec<String>, u32) {
                 Err(why) => rows.push(format!("{} in {}: {why}", contestant.card.name, scene.name)),
                 Ok(own) => {
                     let off = apart(&scene, &own, &known);
-                    if !(off <= bound) {
+                    if off.is_nan() || off > bound {
                         rows.push(format!("{} in {}: {off:e}", contestant.card.name, scene.name));
                     }
                 }
