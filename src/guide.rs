@@ -111,6 +111,11 @@
 //! `polhode gate --json FILE` and `polhode report` write it as `records.json`.
 //! [`Records::read`](super::record::Records::read) reads such a file. A value that does not exist is `None`, never a NaN.
 //!
+//! In the file the lists `errors`, `rounding` and the values of `series` are packed text. Its first character is the code: `5` is
+//! followed by four characters a number, `2` by two, `*` by eleven; `.` is a zero and `,` ends a list. The characters are digits in
+//! base 64 (`A–Z a–z 0–9 - _`), the highest first. Code `5` is ((e + 70) · 90000 + m − 10000) · 2 + sign for ± m · 10ᵉ, code `2` is
+//! (e + 34) · 90 + m − 10, and `*` is the bits of the f64.
+//!
 //! ```
 //! use polhode::prelude::*;
 //! use polhode::schemes::{Euler, PeskinRk2};

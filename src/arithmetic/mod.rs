@@ -6,6 +6,7 @@
 
 #[cfg(all(target_arch = "x86_64", feature = "cli"))]
 mod asked;
+mod analysis;
 mod common;
 mod double_double;
 mod field;

@@ -76,10 +76,10 @@ enum Format {
 }
 
 pub(super) fn run(options: &Options) -> Result<u8, Failure> {
-    match Precision::named(&options.precision) {
-        Some(Precision::F32) => run_in::<Single>(options),
-        Some(Precision::DoubleDouble) => run_in::<DoubleDouble>(options),
-        _ => run_in::<f64>(options),
+    match Precision::named(&options.precision).unwrap_or_default() {
+        Precision::F64 => run_in::<f64>(options),
+        Precision::F32 => run_in::<Single>(options),
+        Precision::DoubleDouble => run_in::<DoubleDouble>(options),
     }
 }
 
@@ -126,7 +126,7 @@ fn run_in<T: Written>(options: &Options) -> Result<u8, Failure> {
 fn form(options: &Options, contestant: &Contestant) -> Result<Form, Failure> {
     match options.model {
         ModelChoice::Points if !contestant.takes_points() => Err(Failure::Usage(format!(
-            "{} has a body of its own and does not run on mass points",
+            "{} brings its own body and does not run on mass points",
             contestant.card.name
         ))),
         ModelChoice::Points => Ok(Form::Points),

@@ -1,7 +1,7 @@
 //! The equivariance gate: other worlds, other units and the same body told in another way give the same motion, to rounding; in
 //! binary units to the last bit. Where implicit equations were solved to their tolerance and no further, the verdict names what that leaves.
 
-use super::{SOLVED_TO, left_by_solves, ruled};
+use super::{SOLVED_TO, left_by_solves, ruled, times};
 use crate::measure::CLEAR;
 use crate::record::{ClaimName, Evidence, OtherWorld, Ruling, Verdict};
 
@@ -32,9 +32,10 @@ fn judge_world(evidence: &Evidence, world: &OtherWorld) -> Verdict {
         "equal to the last bit".to_owned()
     } else {
         format!(
-            "{} differs by {difference:.2e} {}, {of_rounding:.2} of its rounding; at most {bound}{named}",
+            "{} differs by {difference:.2e} {}, {} of its rounding; at most {bound}{named}",
             quantity.name(),
-            quantity.unit()
+            quantity.unit(),
+            times(of_rounding)
         )
     };
     Verdict { measured: Some(of_rounding), low: Some(0.0), high: Some(bound), ..rule(ruling, detail) }

@@ -74,6 +74,11 @@ fn promised_exact(evidence: &Evidence, quantity: Quantity) -> bool {
     })
 }
 
+/// How many times its rounding a difference is, for a message.
+fn times(of_rounding: f64) -> String {
+    if of_rounding < 1e4 { format!("{of_rounding:.2}") } else { format!("{of_rounding:.1e}") }
+}
+
 /// A verdict without numbers.
 fn ruled(
     evidence: &Evidence,

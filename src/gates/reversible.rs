@@ -1,7 +1,7 @@
 //! The reversibility gate: there and back ends at the start, to rounding. Where implicit equations were solved to their
 //! tolerance and no further, what is left of them is named and the verdict stays open.
 
-use super::{SOLVED_TO, left_by_solves, ruled};
+use super::{SOLVED_TO, left_by_solves, ruled, times};
 use crate::measure::{BELOW, CLEAR};
 use crate::record::{ClaimName, Evidence, Ruling, Verdict};
 
@@ -32,12 +32,14 @@ pub(super) fn judge(evidence: &Evidence) -> Verdict {
     } else {
         (Ruling::Fail, String::new())
     };
+    let arithmetic = if reversal.double_double { " in double-double" } else { "" };
     let detail = format!(
-        "{} steps of {:.3e} s there and back: {} off by {distance:.2e} {}, {of_rounding:.2} of its rounding; at most {CLEAR}{named}",
+        "{} steps of {:.3e} s there and back{arithmetic}: {} off by {distance:.2e} {}, {} of its rounding; at most {CLEAR}{named}",
         reversal.steps,
         reversal.step,
         quantity.name(),
-        quantity.unit()
+        quantity.unit(),
+        times(of_rounding)
     );
     Verdict { measured: Some(of_rounding), low: Some(0.0), high: Some(CLEAR), ..rule(verdict, &detail) }
 }

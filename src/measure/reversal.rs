@@ -27,7 +27,7 @@ pub fn reversal(contestant: &Contestant, system: &System, rungs: &[Rung]) -> Opt
     let most = if precise { PRECISE_STEPS } else { STEPS };
     let rung = steady_rung(contestant, system, rungs, most)?;
     let steps = rung.steps.min(most);
-    let mut reversal = Reversal { steps, step: rung.step, ..Reversal::default() };
+    let mut reversal = Reversal { steps, step: rung.step, double_double: precise, ..Reversal::default() };
     let Some(own) = there_and_back(contestant, system, rung.step, steps) else { return Some(reversal) };
     reversal.solves = own.solves;
     let spread = spread(contestant, system, rung.step, steps, &own);

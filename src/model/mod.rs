@@ -171,8 +171,8 @@ macro_rules! rates {
 
             #[inline]
             fn motion(self) -> $crate::model::Motion<T> {
-                #[allow(clippy::needless_update, reason = "a model may keep every part")]
-                let motion = $crate::model::Motion { $($part: self.$part,)* ..Default::default() };
+                let mut motion = $crate::model::Motion::default();
+                $(motion.$part = self.$part;)*
                 motion
             }
 

@@ -4,6 +4,8 @@ mod check;
 mod error;
 mod reduced;
 
+use std::any::Any;
+
 use nalgebra::Vector3;
 
 use super::body::{Body, Shape, rotation_of};
@@ -112,11 +114,15 @@ impl System {
 }
 
 impl<T: Real> System<T> {
-    /// The same system in this arithmetic. Its f64 numbers are taken as exact, and what follows from them is computed anew.
+    /// The same system in this arithmetic. Its f64 numbers are taken as exact, and what follows from them is computed anew; in f64
+    /// it is the system as it is.
     ///
     /// # Errors
     /// [`SystemError::Range`].
     pub fn of(given: &System) -> Result<System<T>, SystemError> {
+        if let Some(same) = (given as &dyn Any).downcast_ref::<System<T>>() {
+            return Ok(same.clone());
+        }
         let body = Body::<T>::of(&given.body);
         let origin = given.origin().map(T::of);
         let Start { position, orientation, velocity, angular_momentum } = &given.start;

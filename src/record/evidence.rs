@@ -5,6 +5,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::numbers::{is_nothing, or_infinite};
 use super::stability::LinearLimit;
 use super::{DriftClass, packed};
 use crate::claim::Claim;
@@ -322,8 +323,11 @@ pub struct Reversal {
     /// Implicit equations that were solved on the way there.
     #[serde(default, skip_serializing_if = "is_nothing")]
     pub solves: u64,
-    /// Angle that roundings leave open [rad].
+    /// Angle that roundings leave open [rad], in f64.
     pub open: f64,
+    /// Whether the way was in double-double.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub double_double: bool,
 }
 
 /// What a step does to the two-form.
@@ -375,30 +379,4 @@ pub struct ReferenceEvidence {
     /// Why there is no reference, if there is none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub missing: Option<String>,
-}
-
-/// Whether a count is 0, and so left out of a file.
-fn is_nothing(count: &u64) -> bool {
-    *count == 0
-}
-
-/// A number that may be infinite or none: `null` in files, and infinite when read.
-mod or_infinite {
-    use serde::{Deserialize, Deserializer, Serialize, Serializer};
-
-    pub fn serialize<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
-        value.is_finite().then_some(*value).serialize(serializer)
-    }
-
-    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
-        Ok(Option::deserialize(deserializer)?.unwrap_or(f64::INFINITY))
-    }
-}
-
-/// A number to so many significant digits.
-pub fn to_digits(value: f64, digits: usize) -> f64 {
-    if value == 0.0 || !value.is_finite() {
-        return value;
-    }
-    format!("{value:.*e}", digits - 1).parse().unwrap_or(value)
 }

@@ -9,6 +9,7 @@ mod cost;
 mod engines;
 mod evidence;
 mod findings;
+mod numbers;
 mod packed;
 mod published;
 mod subjects;
@@ -30,6 +31,7 @@ pub use engines::{EngineRow, PeerRow, Twin};
 pub use evidence::*;
 pub(crate) use findings::TIME_DIGITS;
 pub use findings::{Drift, DriftClass, Measurement, Order, OrderStatus, RunStatus, Series};
+pub use numbers::to_digits;
 pub use published::{Agreement, PublishedRow, Sureness, last_digit};
 pub use subjects::{ReferenceRow, SceneRow, SchemeRow};
 #[cfg(feature = "cli")]

@@ -5,7 +5,78 @@ use std::process::Command;
 
 use serde_json::Value;
 
+use polhode::scenes;
+use polhode::simulate::{Form, Plan};
+
+use crate::common::contestant;
 use crate::common::program::{code, json, polhode, scratch, stderr};
+
+#[test]
+fn a_run_prints_the_numbers_of_the_library_to_the_last_bit_in_every_scene() {
+    let mut compared = 0;
+    for scene in scenes::built_in().into_iter().filter(|scene| scene.only_for_stability.is_none()) {
+        for (model, form) in [("least", Form::Least), ("points", Form::Points)] {
+            if form == Form::Points && scene.system.body.points.is_empty() {
+                continue;
+            }
+            let arguments = [
+                "run",
+                &scene.name,
+                "--scheme",
+                "peskin-rk2",
+                "--steps",
+                "64",
+                "--every",
+                "64",
+                "--model",
+                model,
+            ];
+            let run = json(&polhode(&arguments));
+            let plan = Plan { step: scene.duration / 64.0, steps: 64, every: 64 };
+            let states = contestant("peskin-rk2").run(&scene.system, form, &plan).states;
+            let printed = run["states"].as_array().expect("states");
+            assert_eq!(printed.len(), states.len(), "{}", scene.name);
+            for (printed, state) in printed.iter().zip(&states) {
+                let numbers =
+                    |key: &str| -> Vec<f64> { serde_json::from_value(printed[key].clone()).expect(key) };
+                let q = state.orientation.as_ref();
+                assert_eq!(numbers("orientation_wxyz"), [q.w, q.i, q.j, q.k], "{} {model}", scene.name);
+                assert_eq!(numbers("position_m"), state.position.as_slice(), "{} {model}", scene.name);
+                assert_eq!(
+                    numbers("angular_velocity_rad_s"),
+                    state.angular_velocity.as_slice(),
+                    "{}",
+                    scene.name
+                );
+            }
+            compared += 1;
+        }
+    }
+    assert!(compared > 60, "{compared}");
+}
+
+#[test]
+fn a_run_names_its_precision_and_has_32_digits_in_double_double() {
+    let run = |precision| {
+        let output =
+            polhode(&["run", "kovalevskaya", "--scheme", "euler", "--steps", "60", "--precision", precision]);
+        assert_eq!(code(&output), 0, "{}", stderr(&output));
+        let text = String::from_utf8_lossy(&output.stdout).into_owned();
+        assert!(text.contains(&format!("\"precision\": \"{precision}\"")), "{precision}");
+        text.split(&['[', ',', ']'][..]).map(|number| number.trim().len()).max().unwrap_or_default()
+    };
+    let [single, double, precise] = ["f32", "f64", "double-double"].map(run);
+    assert!(precise > 32 && double < single + 32, "{single} {double} {precise}");
+    let tiny = "name = \"tiny\"\nduration = 1e-12\nbody = { mass = 1e-26, inertia = [1e-47, 2e-47, 2.5e-47] }\n\
+                initial = { angular_velocity = [1e12, 2e12, 1e12] }\n";
+    let folder = scratch();
+    let path = folder.path().join("tiny.toml");
+    fs::write(&path, tiny).expect("a file");
+    let path = path.to_str().expect("a path");
+    let refused = polhode(&["run", path, "--scheme", "euler", "--steps", "4", "--precision", "f32"]);
+    assert_eq!(code(&refused), 65, "{}", stderr(&refused));
+    assert!(stderr(&refused).contains("leave the range of f32"), "{}", stderr(&refused));
+}
 
 #[test]
 fn a_run_in_json_has_the_documented_shape() {

@@ -35,7 +35,8 @@ fn a_claim_without_a_measurement_is_not_applicable() {
 fn reversal(of_rounding: Option<f64>, solves: u64, open: f64) -> Made {
     let mut made = Made::new("free-asymmetric", &[Claim::Reversible]);
     let worst = of_rounding.map(|_| (Quantity::Orientation, 1e-15));
-    made.evidence.reversal = Some(Reversal { steps: 25, step: 0.5, of_rounding, worst, solves, open });
+    made.evidence.reversal =
+        Some(Reversal { steps: 25, step: 0.5, of_rounding, worst, solves, open, double_double: false });
     made
 }
 
