@@ -14,10 +14,10 @@
 
 use nalgebra::Quaternion;
 
-use super::card::claims;
+use super::families::{MOMENTA, claims};
 use super::{Card, PeskinRk4, Scheme, Step, TurningScheme};
 use crate::arithmetic::Real;
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
+use crate::claim::Claim;
 use crate::model::{Broken, Rates, Turning};
 use crate::rotation::Rotation;
 
@@ -33,13 +33,7 @@ pub struct AdamsBashforth {
     claims: &'static [Claim],
 }
 
-const FAMILY: &[Claim] = &[
-    Claim::Exact(Quantity::Velocity, When::ConstantForce),
-    Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-    Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-    Claim::VerticalMomentum,
-    Claim::Equivariant,
-];
+const FAMILY: &[Claim] = claims![MOMENTA; Exact(AngularVelocity, SteadySpin)];
 
 impl AdamsBashforth {
     /// On two rates.
@@ -50,10 +44,7 @@ impl AdamsBashforth {
         name: "adams-bashforth-2",
         title: "Adams–Bashforth 2 in quaternions, exact start",
         claims: claims![FAMILY;
-            Claim::Order(2),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::FlipTimes,
-            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
+            Order(2), Exact(Position, ConstantForce), FlipTimes, Energy(Secular { rate_order: 3 }),
         ],
     };
     /// On three rates.
@@ -63,10 +54,7 @@ impl AdamsBashforth {
         name: "adams-bashforth-3",
         title: "Adams–Bashforth 3 in quaternions, exact start",
         claims: claims![FAMILY;
-            Claim::Order(3),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::FlipTimes,
-            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
+            Order(3), Exact(Position, ConstantForce), FlipTimes, Energy(Secular { rate_order: 3 }),
         ],
         ..AdamsBashforth::TWO
     };
@@ -77,9 +65,7 @@ impl AdamsBashforth {
         name: "adams-bashforth-4",
         title: "Adams–Bashforth 4 in quaternions, exact start",
         claims: claims![FAMILY;
-            Claim::Order(4),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
+            Order(4), Exact(Position, ConstantForce), Energy(Secular { rate_order: 5 }),
         ],
         ..AdamsBashforth::TWO
     };
@@ -89,11 +75,7 @@ impl AdamsBashforth {
         name: "adams-bashforth-3-cold",
         title: "Adams–Bashforth 3 in quaternions, history filled with the first rates",
         claims: claims![FAMILY;
-            Claim::Order(2),
-            Claim::Exact(Quantity::Position, When::NoForce),
-            Claim::FlipTimes,
-            Claim::Evaluations(1),
-            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
+            Order(2), Exact(Position, NoForce), FlipTimes, Evaluations(1), Energy(Secular { rate_order: 3 }),
         ],
         ..AdamsBashforth::THREE
     };
@@ -103,11 +85,7 @@ impl AdamsBashforth {
         name: "adams-bashforth-4-cold",
         title: "Adams–Bashforth 4 in quaternions, history filled with the first rates",
         claims: claims![FAMILY;
-            Claim::Order(2),
-            Claim::Exact(Quantity::Position, When::NoForce),
-            Claim::FlipTimes,
-            Claim::Evaluations(1),
-            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
+            Order(2), Exact(Position, NoForce), FlipTimes, Evaluations(1), Energy(Secular { rate_order: 5 }),
         ],
         ..AdamsBashforth::FOUR
     };

@@ -14,10 +14,10 @@
 use nalgebra::Vector3;
 
 use super::accelerations::Accelerations;
+use super::families::{FLIGHT, claims};
 use super::iteration::until_settled;
 use super::{Card, Step, TurningScheme};
 use crate::arithmetic::Real;
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Motion, Rates, Turning};
 use crate::rotation::{renormalized, turn};
 
@@ -46,16 +46,9 @@ impl TurningScheme for GeneralizedAlpha {
             title: self.title,
             family: "Lie group",
             source: "chung1993; bruls2010",
-            claims: &[
-                Claim::Order(2),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::ConstantForce),
-                Claim::Exact(Quantity::Orientation, When::SteadySpin),
-                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-                Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
-                Claim::Rigid,
-                Claim::Equivariant,
-                Claim::Solves(1),
+            claims: claims![FLIGHT;
+                Order(2), Exact(Orientation, SteadySpin), Exact(AngularVelocity, SteadySpin),
+                Energy(Secular { rate_order: 3 }), Rigid, Solves(1),
             ],
         }
     }

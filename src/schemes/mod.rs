@@ -12,6 +12,7 @@ mod card;
 mod cayley;
 mod collocation;
 mod composed;
+mod families;
 mod iteration;
 mod multipliers;
 mod preprocessing;
