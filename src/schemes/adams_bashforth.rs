@@ -135,17 +135,22 @@ impl TurningScheme for AdamsBashforth {
         let attitude = Rotation::new_normalize(model.attitude(from).into_inner() + change * h); // (1)
         let momentum = model.momentum(to);
         model.place(to, attitude, momentum);
-        past.rotate_left(1);
-        work.history.rotate_left(1);
-        if let (Some(state), Some(k)) = (past.last_mut(), work.history.last_mut()) {
-            state.clone_from(from);
-            *k = k0;
-        }
+        remember(&mut work.history, past, k0, from);
         Ok(())
     }
 }
 
+/// Puts rates and their state in the place of the earliest ones, behind all others.
+pub(super) fn remember<R, S: Clone>(history: &mut [R], past: &mut [S], rates: R, from: &S) {
+    past.rotate_left(1);
+    history.rotate_left(1);
+    if let (Some(state), Some(k)) = (past.last_mut(), history.last_mut()) {
+        state.clone_from(from);
+        *k = rates;
+    }
+}
+
 /// q̇ = ½ Ω q [1/s].
-fn derivative<M: Turning>(model: &M, state: &M::State, rates: &M::Rates) -> Quaternion<M::Real> {
+pub(super) fn derivative<M: Turning>(model: &M, state: &M::State, rates: &M::Rates) -> Quaternion<M::Real> {
     Quaternion::from_imag(model.spin_of(rates) * M::Real::of(0.5)) * model.attitude(state).into_inner()
 }
