@@ -49,7 +49,7 @@ pub(crate) use point_cloud::PointCloud;
 pub(crate) use rotor::Rotor;
 pub use snapshot::{Snapshot, difference};
 pub(crate) use system::AnyModel;
-pub use system::{Rotational, Spin, Start, System, SystemError};
+pub use system::{Carried, Rotational, Spin, Start, System, SystemError};
 
 /// A run that cannot go on.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -16,7 +16,7 @@ use crate::arithmetic::Real;
 use crate::rotation::{self, Rotation};
 use check::{check_law, check_momentum};
 pub use error::SystemError;
-pub use reduced::{AnyModel, Rotational};
+pub use reduced::{AnyModel, Carried, Rotational};
 
 /// How the initial rotation is given.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -297,6 +297,10 @@ impl<T: Real> System<T> {
             moments: self.body.moments,
             inverse_moments: self.body.inverse_moments(),
             attitude: self.start.orientation * self.body.principal,
+            carried: self
+                .body
+                .pivoted
+                .then(|| Carried { mass: self.body.mass, center: body_to_principal * self.body.center }),
             body_to_principal,
         }
     }

@@ -157,6 +157,9 @@ files! {
     "thin-body",
     "bouncing-body",
     "tippe-top",
+    "water-molecule",
+    "planet-free-nutation",
+    "satellite-low-orbit",
 }
 
 /// The stored solution of a built-in scene; `None` where there is none.

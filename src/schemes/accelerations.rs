@@ -1,4 +1,4 @@
-//! Accelerations of a body, and how they are kept in a history that is made for rates.
+//! Accelerations of a body, how they are kept in a history that is made for rates, and the weights of the generalised-α methods.
 
 use nalgebra::Vector3;
 
@@ -50,5 +50,61 @@ impl<T: Real> Accelerations<T> {
     pub(super) fn remembered<R: Rates<T>>(rates: R) -> Accelerations<T> {
         let motion = rates.motion();
         Accelerations { spin: motion.spin, velocity: motion.acceleration }
+    }
+}
+
+/// The weights of a generalised-α method.
+pub(super) struct Alphas<T: Real> {
+    pub(super) alpha_m: T,
+    pub(super) alpha_f: T,
+    pub(super) gamma: T,
+    pub(super) beta: T,
+}
+
+impl<T: Real> Alphas<T> {
+    /// For the spectral radius ρ at infinite frequency: α_m = (2ρ − 1)/(ρ + 1), α_f = ρ/(ρ + 1), γ = ½ + α_f − α_m, β = ¼ (γ + ½)².
+    pub(super) fn of(radius: T) -> Alphas<T> {
+        let (alpha_m, alpha_f) = ((radius * 2.0 - 1.0) / (radius + 1.0), radius / (radius + 1.0));
+        let gamma = alpha_f + 0.5 - alpha_m;
+        let beta = (gamma + 0.5) * 0.25 * (gamma + 0.5);
+        Alphas { alpha_m, alpha_f, gamma, beta }
+    }
+
+    /// (½ − β) a₀ + β a₁.
+    #[inline]
+    pub(super) fn mean(&self, a0: &Accelerations<T>, a1: &Accelerations<T>) -> Accelerations<T> {
+        a0.mixed(-self.beta + 0.5, a1, self.beta)
+    }
+
+    /// (1 − γ) a₀ + γ a₁.
+    #[inline]
+    pub(super) fn change(&self, a0: &Accelerations<T>, a1: &Accelerations<T>) -> Accelerations<T> {
+        a0.mixed(T::one() - self.gamma, a1, self.gamma)
+    }
+
+    /// a₁ of (1 − α_m) a₁ + α_m a₀ = (1 − α_f) v̇₁ + α_f v̇₀.
+    #[inline]
+    pub(super) fn algorithmic(
+        &self,
+        a0: &Accelerations<T>,
+        real0: &Accelerations<T>,
+        real1: &Accelerations<T>,
+    ) -> Accelerations<T> {
+        let right = real1.mixed(T::one() - self.alpha_f, real0, self.alpha_f);
+        let rest = T::one() - self.alpha_m;
+        right.mixed(T::one() / rest, a0, -self.alpha_m / rest)
+    }
+
+    /// v̇₁ of the same equation.
+    #[inline]
+    pub(super) fn real(
+        &self,
+        a0: &Accelerations<T>,
+        real0: &Accelerations<T>,
+        a1: &Accelerations<T>,
+    ) -> Accelerations<T> {
+        let left = a1.mixed(T::one() - self.alpha_m, a0, self.alpha_m);
+        let rest = T::one() - self.alpha_f;
+        left.mixed(T::one() / rest, real0, -self.alpha_f / rest)
     }
 }

@@ -14,10 +14,10 @@
 
 use nalgebra::Quaternion;
 
-use super::card::claims;
+use super::families::{MOMENTA, claims};
 use super::{Card, PeskinRk4, Scheme, Step, TurningScheme};
 use crate::arithmetic::Real;
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
+use crate::claim::Claim;
 use crate::model::{Broken, Rates, Turning};
 use crate::rotation::Rotation;
 
@@ -33,13 +33,7 @@ pub struct AdamsBashforth {
     claims: &'static [Claim],
 }
 
-const FAMILY: &[Claim] = &[
-    Claim::Exact(Quantity::Velocity, When::ConstantForce),
-    Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-    Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-    Claim::VerticalMomentum,
-    Claim::Equivariant,
-];
+const FAMILY: &[Claim] = claims![MOMENTA; Exact(AngularVelocity, SteadySpin)];
 
 impl AdamsBashforth {
     /// On two rates.
@@ -50,10 +44,7 @@ impl AdamsBashforth {
         name: "adams-bashforth-2",
         title: "Adams–Bashforth 2 in quaternions, exact start",
         claims: claims![FAMILY;
-            Claim::Order(2),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::FlipTimes,
-            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
+            Order(2), Exact(Position, ConstantForce), FlipTimes, Energy(Secular { rate_order: 3 }),
         ],
     };
     /// On three rates.
@@ -63,10 +54,7 @@ impl AdamsBashforth {
         name: "adams-bashforth-3",
         title: "Adams–Bashforth 3 in quaternions, exact start",
         claims: claims![FAMILY;
-            Claim::Order(3),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::FlipTimes,
-            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
+            Order(3), Exact(Position, ConstantForce), FlipTimes, Energy(Secular { rate_order: 3 }),
         ],
         ..AdamsBashforth::TWO
     };
@@ -77,9 +65,7 @@ impl AdamsBashforth {
         name: "adams-bashforth-4",
         title: "Adams–Bashforth 4 in quaternions, exact start",
         claims: claims![FAMILY;
-            Claim::Order(4),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
+            Order(4), Exact(Position, ConstantForce), Energy(Secular { rate_order: 5 }),
         ],
         ..AdamsBashforth::TWO
     };
@@ -89,11 +75,7 @@ impl AdamsBashforth {
         name: "adams-bashforth-3-cold",
         title: "Adams–Bashforth 3 in quaternions, history filled with the first rates",
         claims: claims![FAMILY;
-            Claim::Order(2),
-            Claim::Exact(Quantity::Position, When::NoForce),
-            Claim::FlipTimes,
-            Claim::Evaluations(1),
-            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
+            Order(2), Exact(Position, NoForce), FlipTimes, Evaluations(1), Energy(Secular { rate_order: 3 }),
         ],
         ..AdamsBashforth::THREE
     };
@@ -103,11 +85,7 @@ impl AdamsBashforth {
         name: "adams-bashforth-4-cold",
         title: "Adams–Bashforth 4 in quaternions, history filled with the first rates",
         claims: claims![FAMILY;
-            Claim::Order(2),
-            Claim::Exact(Quantity::Position, When::NoForce),
-            Claim::FlipTimes,
-            Claim::Evaluations(1),
-            Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
+            Order(2), Exact(Position, NoForce), FlipTimes, Evaluations(1), Energy(Secular { rate_order: 5 }),
         ],
         ..AdamsBashforth::FOUR
     };
@@ -157,17 +135,22 @@ impl TurningScheme for AdamsBashforth {
         let attitude = Rotation::new_normalize(model.attitude(from).into_inner() + change * h); // (1)
         let momentum = model.momentum(to);
         model.place(to, attitude, momentum);
-        past.rotate_left(1);
-        work.history.rotate_left(1);
-        if let (Some(state), Some(k)) = (past.last_mut(), work.history.last_mut()) {
-            state.clone_from(from);
-            *k = k0;
-        }
+        remember(&mut work.history, past, k0, from);
         Ok(())
     }
 }
 
+/// Puts rates and their state in the place of the earliest ones, behind all others.
+pub(super) fn remember<R, S: Clone>(history: &mut [R], past: &mut [S], rates: R, from: &S) {
+    past.rotate_left(1);
+    history.rotate_left(1);
+    if let (Some(state), Some(k)) = (past.last_mut(), history.last_mut()) {
+        state.clone_from(from);
+        *k = rates;
+    }
+}
+
 /// q̇ = ½ Ω q [1/s].
-fn derivative<M: Turning>(model: &M, state: &M::State, rates: &M::Rates) -> Quaternion<M::Real> {
+pub(super) fn derivative<M: Turning>(model: &M, state: &M::State, rates: &M::Rates) -> Quaternion<M::Real> {
     Quaternion::from_imag(model.spin_of(rates) * M::Real::of(0.5)) * model.attitude(state).into_inner()
 }

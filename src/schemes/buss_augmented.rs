@@ -9,8 +9,8 @@
 //! I is the inertia in world axes. Source: buss2000 for (1) and (2), with constant torque there; (3) and (4) are the
 //! trapezoid that keeps the second order under a torque that changes. L constant without torque.
 
+use super::families::{ROTATIONS, claims};
 use super::{Card, Step, TurningScheme};
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 use crate::rotation::{renormalized, turn};
 
@@ -25,19 +25,8 @@ impl TurningScheme for BussAugmented {
             title: "Buss, augmented second order",
             family: "Lie group",
             source: "buss2000",
-            claims: &[
-                Claim::Order(2),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::ConstantForce),
-                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                Claim::Exact(Quantity::Orientation, When::SteadySpin),
-                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-                Claim::VerticalMomentum,
-                Claim::FlipTimes,
-                Claim::Rigid,
-                Claim::Evaluations(2),
-                Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
-                Claim::Equivariant,
+            claims: claims![ROTATIONS;
+                Order(2), Energy(Secular { rate_order: 3 }), FlipTimes, Evaluations(2),
             ],
         }
     }

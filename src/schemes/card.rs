@@ -57,24 +57,3 @@ impl Card {
             .unwrap_or(0)
     }
 }
-
-/// The claims of a family and those of one scheme.
-pub(super) const fn joined<const N: usize>(family: &[Claim], own: &[Claim]) -> [Claim; N] {
-    let mut all = [Claim::Rigid; N];
-    let mut k = 0;
-    while k < N {
-        all[k] = if k < family.len() { family[k] } else { own[k - family.len()] };
-        k += 1;
-    }
-    all
-}
-
-/// The claims of a family, then those of one scheme.
-macro_rules! claims {
-    ($family:expr; $($claim:expr),* $(,)?) => {{
-        const OWN: &[$crate::claim::Claim] = &[$($claim),*];
-        const ALL: [$crate::claim::Claim; $family.len() + OWN.len()] = $crate::schemes::card::joined($family, OWN);
-        &ALL
-    }};
-}
-pub(super) use claims;

@@ -12,8 +12,8 @@
 //!
 //! Source: celledoni2003.
 
+use super::families::{BALLISTIC, claims};
 use super::{Card, Step, TurningScheme};
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Motion, Rates, Turning};
 use crate::rotation;
 
@@ -28,17 +28,9 @@ impl TurningScheme for Cf4 {
             title: "Commutator-free method of fourth order, body axes",
             family: "Lie group",
             source: "celledoni2003",
-            claims: &[
-                Claim::Order(4),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::ConstantForce),
-                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                Claim::Exact(Quantity::Orientation, When::SteadySpin),
-                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-                Claim::VerticalMomentum,
-                Claim::Evaluations(4),
-                Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
-                Claim::Equivariant,
+            claims: claims![BALLISTIC;
+                Order(4), Exact(Orientation, SteadySpin), Exact(AngularVelocity, SteadySpin),
+                Energy(Secular { rate_order: 5 }), Evaluations(4),
             ],
         }
     }

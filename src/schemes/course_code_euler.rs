@@ -11,8 +11,8 @@
 //!
 //! Source: peskin2021 with (4) in this order.
 
+use super::families::{EULERS, claims};
 use super::{Card, PointScheme, Step};
-use crate::claim::{Claim, Quantity, When};
 use crate::model::{Broken, Motion, Pointwise, Rates};
 
 /// Euler's method with old forces on new lever arms.
@@ -26,18 +26,7 @@ impl PointScheme for CourseCodeEuler {
             title: "Euler's method with old forces on new lever arms",
             family: "order of forces",
             source: "peskin2021",
-            claims: &[
-                Claim::Order(1),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::NoForce),
-                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                Claim::Exact(Quantity::Orientation, When::SteadySpin),
-                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-                Claim::VerticalMomentum,
-                Claim::Rigid,
-                Claim::Evaluations(2),
-                Claim::Equivariant,
-            ],
+            claims: claims![EULERS; Evaluations(2)],
         }
     }
     const STATES: usize = 1;

@@ -8,8 +8,8 @@
 //! method, a body on springs keeps its energy for long. Its twin is `course-code-euler`. The forces are wanted
 //! once a step; asking for Ω(t) through the model's rates counts as a second evaluation.
 
+use super::families::{EULERS, claims};
 use super::{Card, Scheme, Step};
-use crate::claim::{Claim, Quantity, When};
 use crate::model::{Broken, Model, Motion, Rates};
 
 /// Euler's method with forces at the new positions.
@@ -23,18 +23,7 @@ impl Scheme for CourseNotesEuler {
             title: "Euler's method with forces at the new positions",
             family: "order of forces",
             source: "peskin2021",
-            claims: &[
-                Claim::Order(1),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::NoForce),
-                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                Claim::Exact(Quantity::Orientation, When::SteadySpin),
-                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-                Claim::VerticalMomentum,
-                Claim::Rigid,
-                Claim::Evaluations(2),
-                Claim::Equivariant,
-            ],
+            claims: claims![EULERS; Evaluations(2)],
         }
     }
     const STATES: usize = 1;

@@ -9,9 +9,9 @@
 //!
 //! Source: crouch1993, with the coefficients printed in hairer2006, section IV.8.
 
+use super::families::{ROTATIONS, claims};
 use super::{Card, Scheme, Step};
 use crate::arithmetic::Real;
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model};
 
 /// Third order, three evaluations and six rotations a step.
@@ -25,19 +25,8 @@ impl Scheme for CrouchGrossman3 {
             title: "Crouch and Grossman's method of third order",
             family: "Lie group",
             source: "crouch1993; hairer2006",
-            claims: &[
-                Claim::Order(3),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::ConstantForce),
-                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                Claim::Exact(Quantity::Orientation, When::SteadySpin),
-                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-                Claim::VerticalMomentum,
-                Claim::FlipTimes,
-                Claim::Rigid,
-                Claim::Evaluations(3),
-                Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
-                Claim::Equivariant,
+            claims: claims![ROTATIONS;
+                Order(3), Energy(Secular { rate_order: 3 }), FlipTimes, Evaluations(3),
             ],
         }
     }

@@ -4,8 +4,8 @@
 //!
 //! Source: peskin2021, steps (1)–(4). First order, with the exact rotation; L constant without torque.
 
+use super::families::{EULERS, claims};
 use super::{Card, Scheme, SideBySide, Step};
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model};
 
 /// Euler's method with an exact rotation.
@@ -19,19 +19,7 @@ impl Scheme for Euler {
             title: "Euler-only baseline with exact rotation",
             family: "the note",
             source: "peskin2021",
-            claims: &[
-                Claim::Order(1),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::NoForce),
-                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                Claim::Exact(Quantity::Orientation, When::SteadySpin),
-                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-                Claim::Energy(EnergyOfFreeBody::GrowsSecularly { rate_order: 1 }),
-                Claim::VerticalMomentum,
-                Claim::Rigid,
-                Claim::Evaluations(1),
-                Claim::Equivariant,
-            ],
+            claims: claims![EULERS; Energy(GrowsSecularly { rate_order: 1 }), Evaluations(1)],
         }
     }
     const SIDE_BY_SIDE: Option<SideBySide> = Some(SideBySide::Euler);

@@ -5,8 +5,8 @@
 //!
 //! Source: peskin2021 with (1) linear. First order; the body swells by |Ω|² h/2 of its size a second.
 
+use super::families::{MOMENTA, claims};
 use super::{Card, PointScheme, Step};
-use crate::claim::{Claim, Quantity, When};
 use crate::model::{Broken, Pointwise};
 
 /// Euler's method on the points as free vectors.
@@ -20,15 +20,7 @@ impl PointScheme for EulerLinear {
             title: "Euler's method without rotations",
             family: "the note, varied",
             source: "peskin2021",
-            claims: &[
-                Claim::Order(1),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::NoForce),
-                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                Claim::VerticalMomentum,
-                Claim::Evaluations(1),
-                Claim::Equivariant,
-            ],
+            claims: claims![MOMENTA; Order(1), Exact(Position, NoForce), Evaluations(1)],
         }
     }
     const STATES: usize = 0;

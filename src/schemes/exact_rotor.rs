@@ -7,9 +7,9 @@
 use nalgebra::Vector3;
 
 use super::Card;
+use super::families::{KICKS, claims};
 use super::splitting::splitting;
 use crate::arithmetic::Real;
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Rotational};
 use crate::rotation::Rotation;
 use crate::rotation::free_rotor;
@@ -21,20 +21,8 @@ splitting! {
         title: "Exact free rotor by elliptic functions, and a kick",
         family: "geometric",
         source: "vanzon2007; celledoni2008",
-        claims: &[
-            Claim::Order(2),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::Exact(Quantity::Orientation, When::NoTorque),
-            Claim::Exact(Quantity::AngularVelocity, When::NoTorque),
-            Claim::VerticalMomentum,
-            Claim::Rigid,
-            Claim::Evaluations(1),
-            Claim::Energy(EnergyOfFreeBody::Constant),
-            Claim::Reversible,
-            Claim::Symplectic,
-            Claim::Equivariant,
+        claims: claims![KICKS;
+            Exact(Orientation, NoTorque), Exact(AngularVelocity, NoTorque), Energy(Constant),
         ],
     }
 }

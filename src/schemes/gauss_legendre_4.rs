@@ -11,11 +11,11 @@
 //! which the method keeps; L constant without torque.
 
 use super::collocation::{self, Tableau};
+use super::families::{IMPLICIT, claims};
 use super::{Card, Step, TurningScheme};
 use nalgebra::ComplexField;
 
 use crate::arithmetic::Real;
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 
 /// Gauss–Legendre of order 4.
@@ -29,18 +29,7 @@ impl TurningScheme for GaussLegendre4 {
             title: "Gauss-Legendre, two stages, on quaternion and L",
             family: "geometric",
             source: "butcher1964",
-            claims: &[
-                Claim::Order(4),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::ConstantForce),
-                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                Claim::VerticalMomentum,
-                Claim::Rigid,
-                Claim::Energy(EnergyOfFreeBody::Bounded),
-                Claim::Reversible,
-                Claim::Equivariant,
-                Claim::Solves(1),
-            ],
+            claims: claims![IMPLICIT; Order(4), Energy(Bounded)],
         }
     }
     const STATES: usize = 3;

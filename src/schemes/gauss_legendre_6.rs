@@ -12,11 +12,11 @@
 //! which the method keeps; L constant without torque.
 
 use super::collocation::{self, Tableau};
+use super::families::{IMPLICIT, claims};
 use super::{Card, Step, TurningScheme};
 use nalgebra::ComplexField;
 
 use crate::arithmetic::Real;
-use crate::claim::{Claim, Quantity, When};
 use crate::model::{Broken, Turning};
 
 /// Gauss–Legendre of order 6.
@@ -30,17 +30,7 @@ impl TurningScheme for GaussLegendre6 {
             title: "Gauss-Legendre, three stages, on quaternion and L",
             family: "geometric",
             source: "butcher1964",
-            claims: &[
-                Claim::Order(6),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::ConstantForce),
-                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                Claim::VerticalMomentum,
-                Claim::Rigid,
-                Claim::Reversible,
-                Claim::Equivariant,
-                Claim::Solves(1),
-            ],
+            claims: claims![IMPLICIT; Order(6)],
         }
     }
     const STATES: usize = 4;

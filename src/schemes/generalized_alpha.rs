@@ -13,11 +13,11 @@
 
 use nalgebra::Vector3;
 
-use super::accelerations::Accelerations;
+use super::accelerations::{Accelerations, Alphas};
+use super::families::{FLIGHT, claims};
 use super::iteration::until_settled;
 use super::{Card, Step, TurningScheme};
 use crate::arithmetic::Real;
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Motion, Rates, Turning};
 use crate::rotation::{renormalized, turn};
 
@@ -46,16 +46,9 @@ impl TurningScheme for GeneralizedAlpha {
             title: self.title,
             family: "Lie group",
             source: "chung1993; bruls2010",
-            claims: &[
-                Claim::Order(2),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::ConstantForce),
-                Claim::Exact(Quantity::Orientation, When::SteadySpin),
-                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-                Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
-                Claim::Rigid,
-                Claim::Equivariant,
-                Claim::Solves(1),
+            claims: claims![FLIGHT;
+                Order(2), Exact(Orientation, SteadySpin), Exact(AngularVelocity, SteadySpin),
+                Energy(Secular { rate_order: 3 }), Rigid, Solves(1),
             ],
         }
     }
@@ -65,11 +58,7 @@ impl TurningScheme for GeneralizedAlpha {
     const KEEPS_MOMENTUM: bool = false;
 
     fn step<M: Turning>(&self, model: &M, Step { t, h, from, to, work }: Step<M>) -> Result<(), Broken> {
-        let radius = M::Real::of(self.radius);
-        let (alpha_m, alpha_f) = ((radius * 2.0 - 1.0) / (radius + 1.0), radius / (radius + 1.0)); // (4)
-        let gamma = alpha_f + 0.5 - alpha_m; // (4)
-        let beta = (gamma + 0.5) * 0.25 * (gamma + 0.5); // (4)
-        let one = M::Real::of(1.0);
+        let alphas = Alphas::of(M::Real::of(self.radius)); // (4)
         let body = model.rotational();
         let (attitude0, momentum0) = (model.attitude(from), model.momentum(from));
         let v0 = body.inverse_moments.component_mul(&attitude0.inverse_transform_vector(&momentum0));
@@ -81,7 +70,7 @@ impl TurningScheme for GeneralizedAlpha {
         let mut a1 = a0;
         to.clone_from(from);
         until_settled(model, || {
-            let (mean, change) = (a0.mixed(-beta + 0.5, &a1, beta), a0.mixed(one - gamma, &a1, gamma));
+            let (mean, change) = (alphas.mean(&a0, &a1), alphas.change(&a0, &a1));
             std::mem::swap(to, before);
             let rates = M::Rates::of(Motion {
                 spin: Vector3::zeros(),
@@ -94,8 +83,7 @@ impl TurningScheme for GeneralizedAlpha {
             let momentum = attitude * body.moments.component_mul(&(v0 + change.spin * h)); // (2)
             model.place(to, attitude, momentum);
             let true1 = Accelerations::of(model, &model.rates(t + h, to)?, &attitude, &momentum);
-            let right = true1.mixed(one - alpha_f, &true0, alpha_f);
-            a1 = right.mixed(one / (one - alpha_m), &a0, -alpha_m / (one - alpha_m)); // (3)
+            a1 = alphas.algorithmic(&a0, &true0, &true1); // (3)
             Ok(model.apart(to, before))
         })?;
         work.history.push(a1.kept());

@@ -12,10 +12,10 @@
 //! (4) turn m by cay(−h ω), and I⁻¹ m½ · (m₁ − m₀) = 0.
 
 use super::cayley::cayley;
+use super::families::{FLIGHT, claims};
 use super::iteration::until_settled;
 use super::{Card, Step, TurningScheme};
 use crate::arithmetic::Real;
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 use crate::rotation::{Rotation, renormalized};
 
@@ -30,18 +30,9 @@ impl TurningScheme for ImplicitMidpoint {
             title: "implicit midpoint rule with the Cayley map",
             family: "geometric",
             source: "austin1993",
-            claims: &[
-                Claim::Order(2),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::ConstantForce),
-                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-                Claim::FlipTimes,
-                Claim::Rigid,
-                Claim::Energy(EnergyOfFreeBody::Constant),
-                Claim::Reversible,
-                Claim::Equivariant,
-                Claim::Solves(1),
+            claims: claims![FLIGHT;
+                Order(2), Exact(AngularMomentum, NoTorque), Exact(AngularVelocity, SteadySpin), Energy(Constant),
+                FlipTimes, Rigid, Reversible, Solves(1),
             ],
         }
     }

@@ -6,8 +6,8 @@
 
 use super::Card;
 use super::composed::composition;
+use super::families::{CANONICAL, claims};
 use crate::arithmetic::Real;
-use crate::claim::{Claim, Quantity, When};
 
 composition! {
     /// Kahan and Li's seventeen steps.
@@ -16,18 +16,7 @@ composition! {
         title: "Kahan and Li's seventeen steps of strang-rotations, order 8",
         family: "geometric",
         source: "kahan1997",
-        claims: &[
-            Claim::Order(8),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::VerticalMomentum,
-            Claim::Rigid,
-            Claim::Evaluations(17),
-            Claim::Reversible,
-            Claim::Symplectic,
-            Claim::Equivariant,
-        ],
+        claims: claims![CANONICAL; Order(8), Evaluations(17)],
     }
 }
 

@@ -7,9 +7,9 @@
 //! (1) and (2) are solved by fixed-point iteration. In body axes this is exp(Ψ/2) π₁ = exp(−Ψ/2) π₀ + h τ½ with
 //! Ψ = h I⁻¹ π½. Source: krysl2005. Second order; L constant without torque.
 
+use super::families::{IMPLICIT, claims};
 use super::iteration::until_settled;
 use super::{Card, Step, TurningScheme};
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 
 /// The midpoint Lie algorithm.
@@ -23,20 +23,9 @@ impl TurningScheme for KryslLiemid {
             title: "midpoint Lie algorithm (LIEMID)",
             family: "Lie group",
             source: "krysl2005",
-            claims: &[
-                Claim::Order(2),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::ConstantForce),
-                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                Claim::Exact(Quantity::Orientation, When::SteadySpin),
-                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-                Claim::VerticalMomentum,
-                Claim::FlipTimes,
-                Claim::Rigid,
-                Claim::Energy(EnergyOfFreeBody::Bounded),
-                Claim::Reversible,
-                Claim::Equivariant,
-                Claim::Solves(1),
+            claims: claims![IMPLICIT;
+                Order(2), Exact(Orientation, SteadySpin), Exact(AngularVelocity, SteadySpin),
+                Energy(Bounded), FlipTimes,
             ],
         }
     }

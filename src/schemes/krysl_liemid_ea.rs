@@ -15,10 +15,10 @@
 
 use nalgebra::Vector3;
 
+use super::families::{ROTATIONS, claims};
 use super::iteration::until_settled;
 use super::{Card, Step, TurningScheme};
 use crate::arithmetic::Real;
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 use crate::rotation::{self, Rotation, renormalized, turn};
 
@@ -33,21 +33,8 @@ impl TurningScheme for KryslLiemidEa {
             title: "midpoint Lie algorithm, explicit in the forces, reconstructed",
             family: "Lie group",
             source: "krysl2004; krysl2005",
-            claims: &[
-                Claim::Order(2),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::ConstantForce),
-                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                Claim::Exact(Quantity::Orientation, When::SteadySpin),
-                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-                Claim::VerticalMomentum,
-                Claim::FlipTimes,
-                Claim::Rigid,
-                Claim::Evaluations(2),
-                Claim::Energy(EnergyOfFreeBody::Bounded),
-                Claim::Reversible,
-                Claim::Equivariant,
-                Claim::Solves(2),
+            claims: claims![ROTATIONS;
+                Order(2), Energy(Bounded), FlipTimes, Reversible, Evaluations(2), Solves(2),
             ],
         }
     }

@@ -11,8 +11,8 @@
 //! Source: bourabee2009. Second order; L constant without torque.
 
 use super::cayley::{cayley, spin_of_step};
+use super::families::{IMPLICIT, claims};
 use super::{Card, Step, TurningScheme};
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 use crate::rotation::renormalized;
 
@@ -27,21 +27,9 @@ impl TurningScheme for LieVerlet {
             title: "variational Lie-Verlet with the Cayley map",
             family: "Lie group",
             source: "bourabee2009",
-            claims: &[
-                Claim::Order(2),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::ConstantForce),
-                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-                Claim::VerticalMomentum,
-                Claim::FlipTimes,
-                Claim::Rigid,
-                Claim::Evaluations(2),
-                Claim::Energy(EnergyOfFreeBody::Bounded),
-                Claim::Reversible,
-                Claim::Symplectic,
-                Claim::Equivariant,
-                Claim::Solves(1),
+            claims: claims![IMPLICIT;
+                Order(2), Exact(AngularVelocity, SteadySpin), Energy(Bounded), FlipTimes, Symplectic,
+                Evaluations(2),
             ],
         }
     }

@@ -11,9 +11,9 @@
 //!
 //! Source: iserles1999 for the expansion; hairer2006, section IV.7.
 
+use super::families::{ROTATIONS, claims};
 use super::{Card, Scheme, Step};
 use crate::arithmetic::Real;
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model, Motion, Rates};
 
 /// Fourth order, seven evaluations a step.
@@ -29,19 +29,7 @@ impl Scheme for Magnus4 {
             title: "Magnus's expansion on two Gauss points, three sweeps",
             family: "Lie group",
             source: "iserles1999; hairer2006",
-            claims: &[
-                Claim::Order(4),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::ConstantForce),
-                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                Claim::Exact(Quantity::Orientation, When::SteadySpin),
-                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-                Claim::VerticalMomentum,
-                Claim::Rigid,
-                Claim::Evaluations(7),
-                Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
-                Claim::Equivariant,
-            ],
+            claims: claims![ROTATIONS; Order(4), Energy(Secular { rate_order: 5 }), Evaluations(7)],
         }
     }
     const STATES: usize = 1;

@@ -12,6 +12,7 @@ mod card;
 mod cayley;
 mod collocation;
 mod composed;
+mod families;
 mod iteration;
 mod multipliers;
 mod preprocessing;
@@ -58,10 +59,12 @@ mod simo_wong;
 mod buss_augmented;
 mod lie_verlet;
 mod generalized_alpha;
+mod generalized_alpha_constrained;
 mod gauss_legendre_4;
 mod gauss_legendre_6;
 mod cf4;
 mod adams_bashforth;
+mod adams_bashforth_body;
 mod euler_linear;
 mod rk2_linear;
 mod course_code_euler;
@@ -292,10 +295,12 @@ list! {
     buss_augmented::BussAugmented,
     lie_verlet::LieVerlet,
     generalized_alpha::GeneralizedAlpha [HALF],
+    generalized_alpha_constrained::GeneralizedAlphaConstrained [NINE_TENTHS],
     gauss_legendre_4::GaussLegendre4,
     gauss_legendre_6::GaussLegendre6,
     cf4::Cf4,
-    adams_bashforth::AdamsBashforth [TWO, THREE, FOUR, THREE_COLD, FOUR_COLD];
+    adams_bashforth::AdamsBashforth [TWO, THREE, FOUR, THREE_COLD, FOUR_COLD],
+    adams_bashforth_body::AdamsBashforthBody [TWO, THREE, FOUR];
     points:
     euler_linear::EulerLinear,
     rk2_linear::Rk2Linear,

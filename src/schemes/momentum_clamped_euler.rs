@@ -9,9 +9,9 @@
 //! Source: catto2015 for (1) and (2); (3) is game developers' lore without a publication that we know of. First
 //! order; |L| of a free body is constant, its direction is not.
 
+use super::families::{ENGINES, claims};
 use super::semi_implicit::{explicit_spin, move_by};
 use super::{Card, Step, TurningScheme};
-use crate::claim::{Claim, Quantity, When};
 use crate::model::{Broken, Turning};
 use crate::rotation::length;
 
@@ -26,14 +26,7 @@ impl TurningScheme for MomentumClampedEuler {
             title: "semi-implicit Euler, explicit gyroscopic term, |L| rescaled",
             family: "engines",
             source: "catto2015",
-            claims: &[
-                Claim::Order(1),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::NoForce),
-                Claim::Rigid,
-                Claim::Evaluations(1),
-                Claim::Equivariant,
-            ],
+            claims: claims![ENGINES; Order(1)],
         }
     }
     const STATES: usize = 0;

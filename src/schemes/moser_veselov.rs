@@ -15,12 +15,12 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::card::claims;
+use super::families::{BALLISTIC, KICKS, claims};
 use super::preprocessing::preprocessed;
 use super::splitting::kick_turn_kick;
 use super::{Card, Step, TurningScheme};
 use crate::arithmetic::Real;
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
+use crate::claim::Claim;
 use crate::model::{Broken, Turning};
 use crate::rotation::Rotation;
 
@@ -43,16 +43,8 @@ pub struct MoserVeselov {
     claims: &'static [Claim],
 }
 
-const FAMILY: &[Claim] = &[
-    Claim::Order(2),
-    Claim::Exact(Quantity::Velocity, When::ConstantForce),
-    Claim::Exact(Quantity::Position, When::ConstantForce),
-    Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-    Claim::VerticalMomentum,
-    Claim::Rigid,
-    Claim::Evaluations(1),
-    Claim::Equivariant,
-];
+/// What the preprocessed equation promises, whatever the number of polynomials.
+const PREPROCESSED: &[Claim] = claims![BALLISTIC; Order(2), Rigid, Evaluations(1)];
 
 impl MoserVeselov {
     /// The equation as it stands.
@@ -61,40 +53,35 @@ impl MoserVeselov {
         name: "moser-veselov",
         title: "Discrete Moser-Veselov equation and a kick",
         source: "moser1991; mclachlan2005",
-        claims: claims![FAMILY;
-            Claim::FlipTimes,
-            Claim::Energy(EnergyOfFreeBody::Constant),
-            Claim::Reversible,
-            Claim::Symplectic,
-        ],
+        claims: claims![KICKS; Energy(Constant), FlipTimes],
     };
     /// Preprocessed to order 4.
     pub const FOUR: MoserVeselov = MoserVeselov::preprocessed(
         1,
         "moser-veselov-4",
         "Moser-Veselov preprocessed to order 4, and a kick",
-        claims![FAMILY; Claim::OrderWithoutTorque(4)],
+        claims![PREPROCESSED; OrderWithoutTorque(4)],
     );
     /// Preprocessed to order 6.
     pub const SIX: MoserVeselov = MoserVeselov::preprocessed(
         2,
         "moser-veselov-6",
         "Moser-Veselov preprocessed to order 6, and a kick",
-        claims![FAMILY; Claim::OrderWithoutTorque(6)],
+        claims![PREPROCESSED; OrderWithoutTorque(6)],
     );
     /// Preprocessed to order 8.
     pub const EIGHT: MoserVeselov = MoserVeselov::preprocessed(
         3,
         "moser-veselov-8",
         "Moser-Veselov preprocessed to order 8, and a kick",
-        claims![FAMILY; Claim::OrderWithoutTorque(8)],
+        claims![PREPROCESSED; OrderWithoutTorque(8)],
     );
     /// Preprocessed to order 10.
     pub const TEN: MoserVeselov = MoserVeselov::preprocessed(
         4,
         "moser-veselov-10",
         "Moser-Veselov preprocessed to order 10, and a kick",
-        claims![FAMILY; Claim::OrderWithoutTorque(10)],
+        claims![PREPROCESSED; OrderWithoutTorque(10)],
     );
 
     const fn preprocessed(

@@ -15,9 +15,9 @@
 use nalgebra::{Quaternion, Vector3};
 
 use super::Card;
+use super::families::{KICKS, claims};
 use super::splitting::splitting;
 use crate::arithmetic::Real;
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Rotational};
 use crate::rotation::Rotation;
 
@@ -28,20 +28,7 @@ splitting! {
         title: "NO-SQUISH quaternion splitting",
         family: "geometric",
         source: "miller2002",
-        claims: &[
-            Claim::Order(2),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::VerticalMomentum,
-            Claim::FlipTimes,
-            Claim::Rigid,
-            Claim::Evaluations(1),
-            Claim::Energy(EnergyOfFreeBody::Bounded),
-            Claim::Reversible,
-            Claim::Symplectic,
-            Claim::Equivariant,
-        ],
+        claims: claims![KICKS; Energy(Bounded), FlipTimes],
     }
 }
 

@@ -12,11 +12,11 @@
 
 use nalgebra::Quaternion;
 
+use super::families::{IMPLICIT, claims};
 use super::iteration::until_settled;
 use super::vector_form::quaternion_rate;
 use super::{Card, Step, TurningScheme};
 use crate::arithmetic::Real;
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 use crate::rotation::{Rotation, renormalized};
 
@@ -31,20 +31,8 @@ impl TurningScheme for OmelyanLeapfrog {
             title: "Omelyan's leapfrog in angular momenta and quaternions",
             family: "geometric",
             source: "omelyan1998",
-            claims: &[
-                Claim::Order(2),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::ConstantForce),
-                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-                Claim::VerticalMomentum,
-                Claim::FlipTimes,
-                Claim::Rigid,
-                Claim::Evaluations(1),
-                Claim::Energy(EnergyOfFreeBody::Bounded),
-                Claim::Reversible,
-                Claim::Equivariant,
-                Claim::Solves(1),
+            claims: claims![IMPLICIT;
+                Order(2), Exact(AngularVelocity, SteadySpin), Energy(Bounded), FlipTimes, Evaluations(1),
             ],
         }
     }

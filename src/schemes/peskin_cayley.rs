@@ -11,9 +11,9 @@
 
 use nalgebra::Vector3;
 
+use super::families::{BALLISTIC, claims};
 use super::{Card, Scheme, Step};
 use crate::arithmetic::Real;
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model, Motion, Rates};
 use crate::rotation;
 
@@ -28,17 +28,9 @@ impl Scheme for PeskinCayley {
             title: "Peskin's scheme with Cayley's map",
             family: "the note, varied",
             source: "cayley1846; peskin2021",
-            claims: &[
-                Claim::Order(2),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::ConstantForce),
-                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-                Claim::VerticalMomentum,
-                Claim::Rigid,
-                Claim::Evaluations(2),
-                Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
-                Claim::Equivariant,
+            claims: claims![BALLISTIC;
+                Order(2), Exact(AngularVelocity, SteadySpin), Energy(Secular { rate_order: 3 }), Rigid,
+                Evaluations(2),
             ],
         }
     }

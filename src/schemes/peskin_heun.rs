@@ -6,8 +6,8 @@
 //! Source: peskin2021, whose ingredients take the place of sums in heun1900. Second order like the note's scheme
 //! at the same cost, with error constants of its own.
 
+use super::families::{ROTATIONS, claims};
 use super::{Card, Scheme, Step};
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model};
 
 /// Heun's corrector.
@@ -21,19 +21,7 @@ impl Scheme for PeskinHeun {
             title: "Heun's corrector with exact rotations",
             family: "the note, varied",
             source: "heun1900; peskin2021",
-            claims: &[
-                Claim::Order(2),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::ConstantForce),
-                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                Claim::Exact(Quantity::Orientation, When::SteadySpin),
-                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-                Claim::VerticalMomentum,
-                Claim::Rigid,
-                Claim::Evaluations(2),
-                Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
-                Claim::Equivariant,
-            ],
+            claims: claims![ROTATIONS; Order(2), Energy(Secular { rate_order: 3 }), Evaluations(2)],
         }
     }
     const STATES: usize = 1;

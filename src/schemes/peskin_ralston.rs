@@ -6,9 +6,9 @@
 //! Source: ralston1962, whose weights have the least bound on the error of a vector equation; with the
 //! ingredients of peskin2021 in place of sums. What is least for vectors need not be least for rotations.
 
+use super::families::{ROTATIONS, claims};
 use super::{Card, Scheme, Step};
 use crate::arithmetic::Real;
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model};
 
 /// Ralston's second-order weights.
@@ -22,19 +22,7 @@ impl Scheme for PeskinRalston {
             title: "Ralston's second-order weights with exact rotations",
             family: "the note, varied",
             source: "ralston1962; peskin2021",
-            claims: &[
-                Claim::Order(2),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::ConstantForce),
-                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                Claim::Exact(Quantity::Orientation, When::SteadySpin),
-                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-                Claim::VerticalMomentum,
-                Claim::Rigid,
-                Claim::Evaluations(2),
-                Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
-                Claim::Equivariant,
-            ],
+            claims: claims![ROTATIONS; Order(2), Energy(Secular { rate_order: 3 }), Evaluations(2)],
         }
     }
     const STATES: usize = 1;

@@ -6,8 +6,8 @@
 //! Source: peskin2021, steps (1)–(8). Second order; L constant without torque; the energy of a free body grows
 //! at a rate ∝ h³, so that it drifts: this is the scheme's weak side.
 
+use super::families::{ROTATIONS, claims};
 use super::{Card, Scheme, SideBySide, Step};
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model};
 
 /// Peskin's scheme.
@@ -21,19 +21,8 @@ impl Scheme for PeskinRk2 {
             title: "Peskin's two-stage scheme",
             family: "the note",
             source: "peskin2021",
-            claims: &[
-                Claim::Order(2),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::ConstantForce),
-                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                Claim::Exact(Quantity::Orientation, When::SteadySpin),
-                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-                Claim::Energy(EnergyOfFreeBody::GrowsSecularly { rate_order: 3 }),
-                Claim::VerticalMomentum,
-                Claim::FlipTimes,
-                Claim::Rigid,
-                Claim::Evaluations(2),
-                Claim::Equivariant,
+            claims: claims![ROTATIONS;
+                Order(2), Energy(GrowsSecularly { rate_order: 3 }), FlipTimes, Evaluations(2),
             ],
         }
     }

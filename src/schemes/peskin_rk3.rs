@@ -9,8 +9,8 @@
 //!
 //! Source: celledoni2003, third order with the abscissas 0, 1/3, 2/3; peskin2021.
 
+use super::families::{ROTATIONS, claims};
 use super::{Card, Scheme, Step};
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model};
 
 /// Third order, three evaluations and three rotations a step.
@@ -24,19 +24,8 @@ impl Scheme for PeskinRk3 {
             title: "The note's ingredients at third order",
             family: "the note, varied",
             source: "celledoni2003; peskin2021",
-            claims: &[
-                Claim::Order(3),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::ConstantForce),
-                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                Claim::Exact(Quantity::Orientation, When::SteadySpin),
-                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-                Claim::VerticalMomentum,
-                Claim::FlipTimes,
-                Claim::Rigid,
-                Claim::Evaluations(3),
-                Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
-                Claim::Equivariant,
+            claims: claims![ROTATIONS;
+                Order(3), Energy(Secular { rate_order: 3 }), FlipTimes, Evaluations(3),
             ],
         }
     }

@@ -11,8 +11,8 @@
 //!
 //! Source: celledoni2003, the fourth-order method; peskin2021.
 
+use super::families::{ROTATIONS, claims};
 use super::{Card, Scheme, Step};
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model};
 
 /// Fourth order, four evaluations and five rotations a step.
@@ -26,19 +26,7 @@ impl Scheme for PeskinRk4 {
             title: "The note's ingredients at fourth order",
             family: "the note, varied",
             source: "celledoni2003; peskin2021",
-            claims: &[
-                Claim::Order(4),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::ConstantForce),
-                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                Claim::Exact(Quantity::Orientation, When::SteadySpin),
-                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-                Claim::VerticalMomentum,
-                Claim::Rigid,
-                Claim::Evaluations(4),
-                Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
-                Claim::Equivariant,
-            ],
+            claims: claims![ROTATIONS; Order(4), Energy(Secular { rate_order: 5 }), Evaluations(4)],
         }
     }
     const STATES: usize = 2;

@@ -6,8 +6,8 @@
 //!
 //! Source: peskin2021 with (6) replaced. Second order; another constant for X_cm, and all else through the forces.
 
+use super::families::{ROTATIONS, claims};
 use super::{Card, Scheme, Step};
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model, Motion, Rates};
 
 /// Peskin's scheme with the trapezoid for X_cm.
@@ -21,19 +21,8 @@ impl Scheme for PeskinTrapezoid {
             title: "Peskin's scheme with the trapezoid for X_cm",
             family: "the note, varied",
             source: "peskin2021",
-            claims: &[
-                Claim::Order(2),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::ConstantForce),
-                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                Claim::Exact(Quantity::Orientation, When::SteadySpin),
-                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-                Claim::Energy(EnergyOfFreeBody::GrowsSecularly { rate_order: 3 }),
-                Claim::VerticalMomentum,
-                Claim::FlipTimes,
-                Claim::Rigid,
-                Claim::Evaluations(2),
-                Claim::Equivariant,
+            claims: claims![ROTATIONS;
+                Order(2), Energy(GrowsSecularly { rate_order: 3 }), FlipTimes, Evaluations(2),
             ],
         }
     }

@@ -65,16 +65,18 @@ pub(super) fn preprocessed<T: Real>(
     h: T,
     terms: usize,
 ) -> Vector3<T> {
-    let square = momentum.norm_squared();
-    if square == 0.0 || terms == 0 {
+    let largest = momentum.amax().to_f64();
+    if largest < f64::MIN_POSITIVE || terms == 0 {
         return *moments;
     }
-    // In units of a node, rounded to a power of two: products of nodes stay near one in every system of units.
-    let unit = power_of_two(0.5 / moments[0].to_f64());
+    // In units of a node and of the momentum, rounded to powers of two: products stay near one in every system of units.
+    let (unit, size) = (power_of_two(0.5 / moments[0].to_f64()), power_of_two(largest));
     let per_unit = 1.0 / unit;
     let nodes = moments.map(|moment| T::of(0.5) / (moment * unit));
-    let eta = momentum.component_mul(&nodes).dot(momentum) / square;
-    let length = h * unit;
+    let momentum = momentum.map(|part| part / size);
+    let square = momentum.norm_squared();
+    let eta = momentum.component_mul(&nodes).dot(&momentum) / square;
+    let length = h * (unit * size);
     let x = length * length * square;
     let (mut sigma, mut delta) = (T::one(), T::zero());
     for _ in 0..terms {

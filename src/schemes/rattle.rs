@@ -14,10 +14,10 @@
 //!
 //! Source: mclachlan1995. Order 2, symplectic, symmetric; L constant without torque.
 
+use super::families::{KICKS, claims};
 use super::multipliers::constrained_turn;
 use super::splitting::kick_turn_kick;
 use super::{Card, Step, TurningScheme};
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 
 /// RATTLE on the rotation matrix.
@@ -31,20 +31,7 @@ impl TurningScheme for Rattle {
             title: "RATTLE: the rotation matrix under constraints",
             family: "geometric",
             source: "mclachlan1995",
-            claims: &[
-                Claim::Order(2),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::ConstantForce),
-                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                Claim::VerticalMomentum,
-                Claim::FlipTimes,
-                Claim::Rigid,
-                Claim::Evaluations(1),
-                Claim::Energy(EnergyOfFreeBody::Constant),
-                Claim::Reversible,
-                Claim::Symplectic,
-                Claim::Equivariant,
-            ],
+            claims: claims![KICKS; Energy(Constant), FlipTimes],
         }
     }
     const STATES: usize = 0;

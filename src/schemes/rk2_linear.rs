@@ -6,8 +6,8 @@
 //!
 //! Source: peskin2021 with (1) and (5) linear. Second order; the body is not rigid: its size changes as h³.
 
+use super::families::{BALLISTIC, claims};
 use super::{Card, PointScheme, Step};
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Pointwise};
 
 /// The midpoint rule on the points as free vectors.
@@ -21,16 +21,7 @@ impl PointScheme for Rk2Linear {
             title: "Midpoint rule without rotations",
             family: "the note, varied",
             source: "peskin2021",
-            claims: &[
-                Claim::Order(2),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::ConstantForce),
-                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                Claim::VerticalMomentum,
-                Claim::Evaluations(2),
-                Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 3 }),
-                Claim::Equivariant,
-            ],
+            claims: claims![BALLISTIC; Order(2), Energy(Secular { rate_order: 3 }), Evaluations(2)],
         }
     }
     const STATES: usize = 1;

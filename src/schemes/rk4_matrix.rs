@@ -14,10 +14,10 @@
 
 use nalgebra::Matrix3;
 
+use super::families::{BALLISTIC, claims};
 use super::vector_form::{hold, orthonormal};
 use super::{Card, Step, TurningScheme};
 use crate::arithmetic::Real;
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Rates, Turning};
 use crate::rotation;
 
@@ -32,17 +32,7 @@ impl TurningScheme for Rk4Matrix {
             title: "classical Runge-Kutta on rotation matrix and L, re-orthonormalised",
             family: "classical",
             source: "kutta1901",
-            claims: &[
-                Claim::Order(4),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::ConstantForce),
-                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                Claim::VerticalMomentum,
-                Claim::Rigid,
-                Claim::Evaluations(4),
-                Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
-                Claim::Equivariant,
-            ],
+            claims: claims![BALLISTIC; Order(4), Energy(Secular { rate_order: 5 }), Rigid, Evaluations(4)],
         }
     }
     const STATES: usize = 1;

@@ -12,10 +12,10 @@
 //!
 //! Source: kutta1901. Fourth order; L constant without torque; the energy of a free body drifts.
 
+use super::families::{BALLISTIC, claims};
 use super::vector_form::hold;
 use super::{Card, Step, TurningScheme};
 use crate::arithmetic::Real;
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Rates, Turning};
 use crate::rotation::{rate_of, unit};
 
@@ -30,17 +30,9 @@ impl TurningScheme for Rk4Quaternion {
             title: "classical Runge-Kutta on quaternion and L",
             family: "classical",
             source: "kutta1901",
-            claims: &[
-                Claim::Order(4),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::ConstantForce),
-                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-                Claim::VerticalMomentum,
-                Claim::Rigid,
-                Claim::Evaluations(4),
-                Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
-                Claim::Equivariant,
+            claims: claims![BALLISTIC;
+                Order(4), Exact(AngularVelocity, SteadySpin), Energy(Secular { rate_order: 5 }), Rigid,
+                Evaluations(4),
             ],
         }
     }

@@ -12,9 +12,9 @@
 
 use nalgebra::Vector3;
 
+use super::families::{ROTATIONS, claims};
 use super::{Card, Scheme, Step};
 use crate::arithmetic::Real;
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Model, Motion, Rates};
 
 /// Fourth order, four evaluations and four rotations a step.
@@ -28,19 +28,7 @@ impl Scheme for Rkmk4 {
             title: "Runge–Kutta–Munthe-Kaas of fourth order",
             family: "Lie group",
             source: "munthekaas1999; hairer2006",
-            claims: &[
-                Claim::Order(4),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::ConstantForce),
-                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                Claim::Exact(Quantity::Orientation, When::SteadySpin),
-                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-                Claim::VerticalMomentum,
-                Claim::Rigid,
-                Claim::Evaluations(4),
-                Claim::Energy(EnergyOfFreeBody::Secular { rate_order: 5 }),
-                Claim::Equivariant,
-            ],
+            claims: claims![ROTATIONS; Order(4), Energy(Secular { rate_order: 5 }), Evaluations(4)],
         }
     }
     const STATES: usize = 1;

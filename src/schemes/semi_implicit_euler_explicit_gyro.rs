@@ -7,9 +7,9 @@
 //!
 //! Source: catto2015. First order; neither L nor energy is kept without torque: both grow.
 
+use super::families::{ENGINES, claims};
 use super::semi_implicit::{explicit_spin, move_by};
 use super::{Card, Step, TurningScheme};
-use crate::claim::{Claim, Quantity, When};
 use crate::model::{Broken, Turning};
 
 /// Semi-implicit Euler with explicit gyroscopic term.
@@ -23,14 +23,7 @@ impl TurningScheme for SemiImplicitEulerExplicitGyro {
             title: "semi-implicit Euler, explicit gyroscopic term",
             family: "engines",
             source: "catto2015",
-            claims: &[
-                Claim::Order(1),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::NoForce),
-                Claim::Rigid,
-                Claim::Evaluations(1),
-                Claim::Equivariant,
-            ],
+            claims: claims![ENGINES; Order(1)],
         }
     }
     const STATES: usize = 0;

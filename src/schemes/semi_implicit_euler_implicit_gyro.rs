@@ -11,9 +11,9 @@
 
 use nalgebra::Matrix3;
 
+use super::families::{ENGINES, claims};
 use super::semi_implicit::{in_body_axes, move_by};
 use super::{Card, Step, TurningScheme};
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 
 /// Semi-implicit Euler with implicit gyroscopic term.
@@ -27,15 +27,7 @@ impl TurningScheme for SemiImplicitEulerImplicitGyro {
             title: "semi-implicit Euler, implicit gyroscopic term",
             family: "engines",
             source: "catto2015",
-            claims: &[
-                Claim::Order(1),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::NoForce),
-                Claim::Rigid,
-                Claim::Evaluations(1),
-                Claim::Energy(EnergyOfFreeBody::Falls),
-                Claim::Equivariant,
-            ],
+            claims: claims![ENGINES; Order(1), Energy(Falls)],
         }
     }
     const STATES: usize = 0;

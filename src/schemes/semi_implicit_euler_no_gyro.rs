@@ -8,9 +8,9 @@
 //! Source: catto2015. No order: it solves I Ω̇ = τ, which is the equation of a sphere. A free body keeps its Ω,
 //! whatever its shape, and so loses its L; translation alone is of first order.
 
+use super::families::{ENGINES, claims};
 use super::semi_implicit::{in_body_axes, move_by};
 use super::{Card, Step, TurningScheme};
-use crate::claim::{Claim, Quantity, When};
 use crate::model::{Broken, Turning};
 
 /// Semi-implicit Euler without gyroscopic term.
@@ -24,14 +24,7 @@ impl TurningScheme for SemiImplicitEulerNoGyro {
             title: "semi-implicit Euler without gyroscopic term",
             family: "engines",
             source: "catto2015",
-            claims: &[
-                Claim::SolvesAnotherMotion,
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::NoForce),
-                Claim::Rigid,
-                Claim::Evaluations(1),
-                Claim::Equivariant,
-            ],
+            claims: claims![ENGINES; SolvesAnotherMotion],
         }
     }
     const STATES: usize = 0;

@@ -8,11 +8,11 @@
 //! Solved by fixed-point iteration. Source: simo1991. Second order; L and energy of a free body constant, since
 //! (W₀ + W₁) · (I W₁ − I W₀) = 0 when I W₁ is I W₀ turned about W₀ + W₁.
 
+use super::families::{IMPLICIT, claims};
 use super::iteration::until_settled;
 use super::vector_form::hold;
 use super::{Card, Step, TurningScheme};
 use crate::arithmetic::Real;
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Turning};
 use crate::rotation::{renormalized, turn};
 
@@ -27,20 +27,9 @@ impl TurningScheme for SimoWong {
             title: "Simo and Wong, energy and momentum conserving",
             family: "geometric",
             source: "simo1991",
-            claims: &[
-                Claim::Order(2),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::ConstantForce),
-                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                Claim::Exact(Quantity::Orientation, When::SteadySpin),
-                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-                Claim::VerticalMomentum,
-                Claim::FlipTimes,
-                Claim::Rigid,
-                Claim::Energy(EnergyOfFreeBody::Constant),
-                Claim::Reversible,
-                Claim::Equivariant,
-                Claim::Solves(1),
+            claims: claims![IMPLICIT;
+                Order(2), Exact(Orientation, SteadySpin), Exact(AngularVelocity, SteadySpin),
+                Energy(Constant), FlipTimes,
             ],
         }
     }

@@ -10,9 +10,9 @@
 use nalgebra::Vector3;
 
 use super::Card;
+use super::families::{KICKS, claims};
 use super::splitting::splitting;
 use crate::arithmetic::Real;
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Rotational};
 use crate::rotation::{self, Rotation};
 
@@ -23,20 +23,7 @@ splitting! {
         title: "Strang splitting into rotations about principal axes",
         family: "geometric",
         source: "dullweber1997",
-        claims: &[
-            Claim::Order(2),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::VerticalMomentum,
-            Claim::FlipTimes,
-            Claim::Rigid,
-            Claim::Evaluations(1),
-            Claim::Energy(EnergyOfFreeBody::Bounded),
-            Claim::Reversible,
-            Claim::Symplectic,
-            Claim::Equivariant,
-        ],
+        claims: claims![KICKS; Energy(Bounded), FlipTimes],
     }
 }
 

@@ -11,9 +11,9 @@
 use nalgebra::Vector3;
 
 use super::Card;
+use super::families::{KICKS, claims};
 use super::splitting::splitting;
 use crate::arithmetic::Real;
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 use crate::model::{Broken, Rotational};
 use crate::rotation::{self, Rotation};
 
@@ -24,21 +24,8 @@ splitting! {
         title: "Strang splitting into a symmetric top and a rotation",
         family: "geometric",
         source: "touma1994; fasso2003",
-        claims: &[
-            Claim::Order(2),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::Exact(Quantity::Orientation, When::SteadySpin),
-            Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-            Claim::VerticalMomentum,
-            Claim::FlipTimes,
-            Claim::Rigid,
-            Claim::Evaluations(1),
-            Claim::Energy(EnergyOfFreeBody::Bounded),
-            Claim::Reversible,
-            Claim::Symplectic,
-            Claim::Equivariant,
+        claims: claims![KICKS;
+            Exact(Orientation, SteadySpin), Exact(AngularVelocity, SteadySpin), Energy(Bounded), FlipTimes,
         ],
     }
 }

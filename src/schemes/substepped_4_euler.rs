@@ -5,9 +5,9 @@
 //! Source: peskin2021, steps (1)–(4). First order with a quarter of Euler's error at four times its cost: what
 //! substeps buy without a better scheme.
 
+use super::families::{EULERS, claims};
 use super::substepped::substepped;
 use super::{Card, Euler, Scheme, Step};
-use crate::claim::{Claim, Quantity, When};
 use crate::model::{Broken, Model};
 
 /// Euler's method in four parts.
@@ -21,18 +21,7 @@ impl Scheme for Substepped4Euler {
             title: "Euler-only baseline in four parts a step",
             family: "substepped",
             source: "peskin2021",
-            claims: &[
-                Claim::Order(1),
-                Claim::Exact(Quantity::Velocity, When::ConstantForce),
-                Claim::Exact(Quantity::Position, When::NoForce),
-                Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-                Claim::Exact(Quantity::Orientation, When::SteadySpin),
-                Claim::Exact(Quantity::AngularVelocity, When::SteadySpin),
-                Claim::VerticalMomentum,
-                Claim::Rigid,
-                Claim::Evaluations(4),
-                Claim::Equivariant,
-            ],
+            claims: claims![EULERS; Evaluations(4)],
         }
     }
     const STATES: usize = Euler::STATES + 1;

@@ -6,8 +6,8 @@
 
 use super::Card;
 use super::composed::composition;
+use super::families::{CANONICAL, claims};
 use crate::arithmetic::Real;
-use crate::claim::{Claim, EnergyOfFreeBody, Quantity, When};
 
 composition! {
     /// Suzuki's fractal.
@@ -16,19 +16,7 @@ composition! {
         title: "Suzuki's five-step composition of strang-rotations",
         family: "geometric",
         source: "suzuki1990",
-        claims: &[
-            Claim::Order(4),
-            Claim::Exact(Quantity::Velocity, When::ConstantForce),
-            Claim::Exact(Quantity::Position, When::ConstantForce),
-            Claim::Exact(Quantity::AngularMomentum, When::NoTorque),
-            Claim::VerticalMomentum,
-            Claim::Rigid,
-            Claim::Evaluations(5),
-            Claim::Energy(EnergyOfFreeBody::Bounded),
-            Claim::Reversible,
-            Claim::Symplectic,
-            Claim::Equivariant,
-        ],
+        claims: claims![CANONICAL; Order(4), Energy(Bounded), Evaluations(5)],
     }
 }
 

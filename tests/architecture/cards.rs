@@ -5,6 +5,7 @@ use polhode::internals::model::{AnyModel, Free, FreeRates};
 use polhode::model::Model;
 use polhode::schemes::{Card, Euler, PeskinRk2, Scheme, SideBySide, Workspace};
 use polhode::schemes::{Claim, Quantity, When};
+use polhode::simulate::Contestant;
 
 use crate::common::scene;
 
@@ -23,6 +24,27 @@ fn a_card_tells_the_numbers_of_its_claims_and_0_where_there_are_none() {
     assert_eq!(told(&[EXACT, Claim::Order(3)]), [3, 3, 0, 0]);
     assert_eq!(told(&[Claim::Order(2), Claim::OrderWithoutTorque(4), Claim::Evaluations(5)]), [2, 4, 0, 5]);
     assert_eq!(told(&[Claim::FollowsTolerance(6), Claim::Evaluations(7)]), [0, 0, 6, 7]);
+}
+
+#[test]
+fn a_card_names_no_claim_twice_and_what_it_says_of_an_order_first() {
+    for scheme in Contestant::all() {
+        let claims = scheme.card.claims;
+        for (k, claim) in claims.iter().enumerate() {
+            assert!(!claims[..k].contains(claim), "{}: {claim}", scheme.card.name);
+        }
+        let of_an_order = |claim: &Claim| {
+            matches!(
+                claim,
+                Claim::Order(_)
+                    | Claim::OrderWithoutTorque(_)
+                    | Claim::SolvesAnotherMotion
+                    | Claim::FollowsTolerance(_)
+            )
+        };
+        assert!(claims.iter().any(of_an_order), "{}", scheme.card.name);
+        assert!(claims.is_sorted_by_key(|claim| !of_an_order(claim)), "{}", scheme.card.name);
+    }
 }
 
 #[test]

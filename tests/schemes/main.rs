@@ -5,6 +5,7 @@
 mod common;
 
 mod allocations;
+mod any_scale;
 mod arithmetics;
 mod classical;
 mod constrained;

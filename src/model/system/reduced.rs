@@ -46,8 +46,19 @@ pub struct Rotational<T: Real = f64> {
     pub inverse_moments: Vector3<T>,
     /// Takes principal axes to world axes at t = 0.
     pub attitude: Rotation<T>,
+    /// What a pivot carries; `None` where nothing holds the body.
+    pub carried: Option<Carried<T>>,
     /// Takes body axes to principal axes.
     pub(super) body_to_principal: Rotation<T>,
+}
+
+/// The centre of mass of a body on a pivot, which a scheme may treat as held by a constraint.
+#[derive(Clone, Copy, Debug)]
+pub struct Carried<T: Real = f64> {
+    /// Mass [kg].
+    pub mass: T,
+    /// Centre of mass from the pivot [m], principal axes.
+    pub center: Vector3<T>,
 }
 
 impl<T: Real> Rotational<T> {

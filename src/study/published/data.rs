@@ -64,8 +64,7 @@ pub(super) enum Measure {
     PositionError,
     /// |error of a component of X_cm − X_cm(0)| over its size.
     RelativeError,
-    /// Least and largest error of a component of Ω in body axes from `from` to `time`. The scheme may be
-    /// `body-rates-adams-bashforth-K` too.
+    /// Least and largest error of a component of Ω in body axes from `from` to `time`.
     RateErrorExtremes,
     /// Period of a component of Ω in body axes.
     SpinPeriod,

@@ -3,7 +3,6 @@
 use nalgebra::Vector3;
 
 use super::PublishedError;
-use super::body_rates;
 use super::data::{Figure, Measure, Observation, numbers};
 use super::motion::{Motion, truth_at};
 use super::period;
@@ -149,16 +148,13 @@ fn errors(figure: &Figure, motion: &Motion) -> Result<Vec<f64>, PublishedError> 
 fn rate_error_extremes(figure: &Figure, motion: &Motion) -> Result<Vec<f64>, PublishedError> {
     let component =
         figure.rate_component.ok_or_else(|| motion.missing(figure, "it needs `rate_component`"))?;
-    let mut rates = match figure.scheme.as_deref().and_then(body_rates::order) {
-        Some(order) => body_rates::run(&motion.scene.system, order, figure.time, figure.steps),
-        None => motion.run(figure, 1)?.iter().map(|state| (state.time, in_body_axes(state))).collect(),
-    };
-    rates.retain(|(time, _)| *time >= figure.from);
-    let times: Vec<f64> = rates.iter().map(|(time, _)| *time).collect();
+    let mut states = motion.run(figure, 1)?;
+    states.retain(|state| state.time >= figure.from);
+    let times: Vec<f64> = states.iter().map(|state| state.time).collect();
     let truth = truth_at(motion.scene, &times)?;
     let (mut least, mut largest) = (f64::INFINITY, f64::NEG_INFINITY);
-    for ((_, rate), truth) in rates.iter().zip(&truth) {
-        let error = rate[component] - in_body_axes(truth)[component];
+    for (state, truth) in states.iter().zip(&truth) {
+        let error = in_body_axes(state)[component] - in_body_axes(truth)[component];
         (least, largest) = (least.min(error), largest.max(error));
     }
     Ok(vec![least, largest])

@@ -7,7 +7,6 @@
 //! A limit is one unit of the last printed digit, or the error that the source states, or one that the figure
 //! derives.
 
-mod body_rates;
 mod data;
 mod list;
 mod measure;

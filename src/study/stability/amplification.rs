@@ -39,9 +39,13 @@ pub fn amplification(scheme: &str) -> Option<Amplification> {
         | "semi-implicit-euler-implicit-gyro"
         | "momentum-clamped-euler" => Amplification::SymplecticEuler,
         "substepped-4-euler" => Amplification::Substeps(4),
-        "adams-bashforth-2" => Amplification::AdamsBashforth(2),
-        "adams-bashforth-3" | "adams-bashforth-3-cold" => Amplification::AdamsBashforth(3),
-        "adams-bashforth-4" | "adams-bashforth-4-cold" => Amplification::AdamsBashforth(4),
+        "adams-bashforth-2" | "adams-bashforth-2-body" => Amplification::AdamsBashforth(2),
+        "adams-bashforth-3" | "adams-bashforth-3-cold" | "adams-bashforth-3-body" => {
+            Amplification::AdamsBashforth(3)
+        }
+        "adams-bashforth-4" | "adams-bashforth-4-cold" | "adams-bashforth-4-body" => {
+            Amplification::AdamsBashforth(4)
+        }
         "implicit-midpoint" => Amplification::MidpointByIteration,
         "strang-rotations" | "strang-symmetric" | "exact-rotor" | "no-squish" | "rattle"
         | "omelyan-leapfrog" | "moser-veselov" | "moser-veselov-4" | "moser-veselov-6"
