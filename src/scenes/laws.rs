@@ -1,4 +1,4 @@
-//! The tables `[[forces]]` of a scene file, read by the tables of the laws' parameters.
+//! The tables `[[forces]]` of a scene file, read and written by the tables of the laws' parameters.
 
 use nalgebra::Vector3;
 
@@ -22,6 +22,24 @@ pub(super) fn read(entry: &Value, origin: &Vector3<f64>) -> Result<Law, SceneErr
         Some((value, expected)) => Err(value.expected(expected)),
         None => Ok(law),
     }
+}
+
+/// The table of a law, to paste into a scene: an example of every parameter, with its unit, what it is and its default.
+pub fn block(law: &Described) -> String {
+    let mut text = format!("# {}\n# {}\n[[forces]]\nlaw = \"{}\"\n", law.formula, law.source, law.name);
+    let lines: Vec<(String, &Parameter)> =
+        law.parameters.iter().map(|p| (format!("{} = {}", p.key_of(&p.example), p.example), p)).collect();
+    let width = lines.iter().map(|(line, _)| line.len()).max().unwrap_or_default();
+    for (line, parameter) in &lines {
+        let given = match (&parameter.default, parameter.kind) {
+            (Some(default), _) => format!("; default {default}"),
+            (None, Kind::Attachment) => "; or at = [x, y, z]".to_owned(),
+            (None, Kind::PerPoint) => "; one for all points, or a list of one each".to_owned(),
+            (None, _) => String::new(),
+        };
+        text += &format!("{line:width$}  # {}: {}{given}\n", parameter.unit, parameter.what);
+    }
+    text
 }
 
 /// The keys that the table of a law may have.

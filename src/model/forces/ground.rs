@@ -21,7 +21,7 @@ parameters! {
         /// n, world; a unit vector
         normal: Vector3<T> ["1"] = Direction, Some(vector(0.0, 0.0, 1.0)), vector(0.0, 0.0, 1.0);
         /// Height of the plane along n
-        height: T ["m"] = Height, ZERO, number(-1.0);
+        height: T ["m"] = Height, ZERO, number(0.0);
         /// k
         stiffness: T ["N/m"] = Number(Stiffness), REQUIRED, number(100.0);
         /// c

@@ -9,6 +9,8 @@ mod argument;
 mod central_gravity;
 mod dipole;
 mod drag;
+#[cfg(test)]
+mod facts;
 pub(crate) mod draw;
 mod gravity;
 mod gravity_gradient;
