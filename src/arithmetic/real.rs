@@ -23,7 +23,7 @@ pub trait Real:
 {
     /// The name of the arithmetic, as in `run --precision`.
     const NAME: &'static str;
-    /// The distance from 1 to the next larger number.
+    /// Twice the largest relative error of a sum, a product or a quotient: in f64 the distance from 1 to the next larger number.
     const UNIT: f64;
     /// Largest |e| for which the series of 1/√(1 + e) may end with its second power:
     /// 5/16 e³ is below a quarter of the unit.

@@ -71,11 +71,6 @@ const KNOWN: &[Deviation] = &[
         ],
     },
     Deviation {
-        reason: "implicit equations are solved to 1e-12, and what that leaves adds up on the way there and back",
-        claim: ClaimName::Reversible,
-        places: &[("mujoco-fast-spin", &["krysl-liemid", "simo-wong"])],
-    },
-    Deviation {
         reason: "the way back ends at rest, where an iteration that ends by a relative change of L no longer ends: the last step is \
                  not made",
         claim: ClaimName::Reversible,

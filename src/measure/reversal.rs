@@ -1,15 +1,19 @@
 //! There and back: a run with h, and one with −h from where it ended.
 //!
-//! A symmetric scheme, Φ₋ₕ Φₕ = 1, returns to its start to rounding; any other is off by its own error.
+//! A symmetric scheme, Φ₋ₕ Φₕ = 1, returns to its start to rounding; any other is off by its own error. A scheme of the list goes there and
+//! back in double-double, a program in f64. How a rounding grows on the way is seen in copies in f64; its unit is that of the arithmetic.
 
 use super::copies::{rounding, starts};
 use super::{Rung, steady_rung};
+use crate::arithmetic::{DoubleDouble, Real};
 use crate::model::{PerQuantity, Quantity, Snapshot, System, difference, larger, sizes};
 use crate::record::Reversal;
-use crate::simulate::{Contestant, Form, Plan};
+use crate::simulate::{Arithmetic, Contestant, Form, Plan};
 
-/// Most steps of one way.
+/// Most steps of one way in f64 …
 const STEPS: u64 = 4096;
+/// … and in double-double.
+const PRECISE_STEPS: u64 = 256;
 /// States of one way that say how large everything gets.
 const SAMPLES: u64 = 16;
 
@@ -19,38 +23,55 @@ pub fn reversal(contestant: &Contestant, system: &System, rungs: &[Rung]) -> Opt
     if system.forces.read_time() || (system.forces.read_velocity() && !system.forces.conservative()) {
         return None;
     }
-    let rung = steady_rung(contestant, system, rungs, STEPS)?;
-    let steps = rung.steps.min(STEPS);
+    let precise = contestant.runs_in_double_double();
+    let most = if precise { PRECISE_STEPS } else { STEPS };
+    let rung = steady_rung(contestant, system, rungs, most)?;
+    let steps = rung.steps.min(most);
     let mut reversal = Reversal { steps, step: rung.step, ..Reversal::default() };
     let Some(own) = there_and_back(contestant, system, rung.step, steps) else { return Some(reversal) };
     reversal.solves = own.solves;
     let spread = spread(contestant, system, rung.step, steps, &own);
     let rounding = rounding(&spread, &sizes(system, &own.there), 2 * steps);
     reversal.open = spread[Quantity::Orientation];
-    let off = difference(&system.body, &own.back, &own.start);
-    (reversal.of_rounding, reversal.worst) = worst(off, rounding);
+    if !precise {
+        let off = difference(&system.body, &own.back, &own.start);
+        (reversal.of_rounding, reversal.worst) = worst(off, rounding);
+        return Some(reversal);
+    }
+    let system = System::<DoubleDouble>::of(system).ok()?;
+    let Some(own) = there_and_back(contestant, &system, rung.step, steps) else { return Some(reversal) };
+    let off = difference(&system.body, &own.back, &own.start).map(DoubleDouble::to_f64);
+    let finer = DoubleDouble::UNIT / f64::EPSILON;
+    (reversal.of_rounding, reversal.worst) = worst(off, rounding.map(|rounding| rounding * finer));
     Some(reversal)
 }
 
 /// A way there and back.
-struct Return {
-    start: Snapshot,
+struct Return<T: Real = f64> {
+    start: Snapshot<T>,
     /// States of the way there.
-    there: Vec<Snapshot>,
-    back: Snapshot,
+    there: Vec<Snapshot<T>>,
+    back: Snapshot<T>,
     solves: u64,
 }
 
 /// `None` where a run breaks.
-fn there_and_back(contestant: &Contestant, system: &System, step: f64, steps: u64) -> Option<Return> {
-    let run = |system: &System, step: f64, every: u64| {
-        let run = contestant.run(system, Form::Least, &Plan { step, steps, every });
-        run.outcome.broken.is_none().then_some(run)
+fn there_and_back<T: Arithmetic>(
+    contestant: &Contestant,
+    system: &System<T>,
+    step: f64,
+    steps: u64,
+) -> Option<Return<T>> {
+    let run = |system: &System<T>, step: f64, every: u64| {
+        let mut states = Vec::new();
+        let plan = Plan { step, steps, every };
+        let outcome = contestant.stream_in(system, Form::Least, &plan, &mut |state| states.push(*state));
+        outcome.broken.is_none().then_some((states, outcome.solves))
     };
-    let there = run(system, step, (steps / SAMPLES).max(1))?;
-    let back = run(&system.started_at(there.states.last()?), -step, steps)?;
-    let (start, back) = (*there.states.first()?, *back.states.last()?);
-    Some(Return { start, back, solves: there.outcome.solves, there: there.states })
+    let (there, solves) = run(system, step, (steps / SAMPLES).max(1))?;
+    let (way_back, _) = run(&system.started_at(there.last()?), -step, steps)?;
+    let (start, back) = (*there.first()?, *way_back.last()?);
+    Some(Return { start, back, solves, there })
 }
 
 /// How far copies of a way there and back end from it, at most; a copy that breaks is left out.

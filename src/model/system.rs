@@ -85,30 +85,6 @@ impl System {
         Ok(System { body, forces, start })
     }
 
-    /// The same system started a little off: turned by `turn` [rad], with changes of L [kg m²/s], position [m]
-    /// and velocity [m/s]. A pivot stays where it is, and a rod gets no L along it.
-    pub fn displaced(&self, turn: &Vector3<f64>, change: &Start) -> System {
-        let mut system = self.clone();
-        let start = &mut system.start;
-        start.orientation = rotation::turn(turn) * start.orientation;
-        match self.body.shape {
-            Shape::Point => {}
-            Shape::Rod { direction } => {
-                let direction = start.orientation * direction;
-                let momentum = start.angular_momentum + change.angular_momentum;
-                start.angular_momentum = momentum - direction * direction.dot(&momentum);
-            }
-            Shape::Extended => start.angular_momentum += change.angular_momentum,
-        }
-        if self.body.pivoted {
-            start.position = self.origin() + start.orientation * self.body.center;
-        } else {
-            start.position += change.position;
-            start.velocity += change.velocity;
-        }
-        system
-    }
-
     /// Whether Ω is constant to rounding: no torque, and Ω along L about an axis where it stays.
     pub fn steady_spin(&self) -> bool {
         let attitude = self.start.orientation;
@@ -180,6 +156,30 @@ impl<T: Real> System<T> {
         }
         let kept = |(own, given): (T, f64)| own.is_finite() && (own != 0.0 || given == 0.0);
         sizes(self).into_iter().zip(sizes(given)).all(kept)
+    }
+
+    /// The same system started a little off: turned by `turn` [rad], with changes of L [kg m²/s], position [m]
+    /// and velocity [m/s]. A pivot stays where it is, and a rod gets no L along it.
+    pub fn displaced(&self, turn: &Vector3<T>, change: &Start<T>) -> System<T> {
+        let mut system = self.clone();
+        let start = &mut system.start;
+        start.orientation = rotation::turn(turn) * start.orientation;
+        match self.body.shape {
+            Shape::Point => {}
+            Shape::Rod { direction } => {
+                let direction = start.orientation * direction;
+                let momentum = start.angular_momentum + change.angular_momentum;
+                start.angular_momentum = momentum - direction * direction.dot(&momentum);
+            }
+            Shape::Extended => start.angular_momentum += change.angular_momentum,
+        }
+        if self.body.pivoted {
+            start.position = self.origin() + start.orientation * self.body.center;
+        } else {
+            start.position += change.position;
+            start.velocity += change.velocity;
+        }
+        system
     }
 
     /// Position of the origin at t = 0 [m], world: the pivot, or the centre of mass.

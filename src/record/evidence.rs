@@ -339,6 +339,9 @@ pub struct Symplecticity {
     /// How far the change is from that of copies of the step, in the same measure.
     #[serde(with = "or_infinite")]
     pub rounding: f64,
+    /// Whether the step was differentiated in double-double.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub double_double: bool,
 }
 
 /// A run in another world beside the run in the scene's own.

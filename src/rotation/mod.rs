@@ -186,7 +186,7 @@ pub fn best_fit<T: Real>(from: &[Vector3<T>], to: &[Vector3<T>], weights: &[T]) 
     };
     let singular = decomposition.singular_values;
     // The largest entry of what was decomposed is 1, and so is the largest singular value at least.
-    if singular[1] < 1e-12 {
+    if singular[1] < 1e-12 * (T::UNIT / f64::EPSILON).max(1.0) {
         let direction_from = v_transposed.row(0).transpose();
         let direction_to = u.column(0).into_owned();
         return between(&direction_from, &direction_to);

@@ -17,9 +17,10 @@ pub(super) fn tolerance<T: Real>() -> f64 {
 /// circles its limit fall by turns.
 const STALE: u32 = 3;
 
-/// Iterations at most: a hundred in f64, and in proportion to the digits elsewhere.
+/// Iterations at most: a hundred, and more where more digits are asked for, in proportion to them.
 fn most<T: Real>() -> u32 {
-    (100.0 * T::UNIT.log2() / f64::EPSILON.log2()) as u32
+    let digits = tolerance::<T>().log10() / tolerance::<f64>().log10();
+    (100.0 * digits.max(1.0)).round() as u32
 }
 
 /// Repeats `improve`, which returns how far it has moved its iterate, until that is rounding, or is below the tolerance

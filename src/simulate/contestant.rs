@@ -288,6 +288,11 @@ impl Contestant {
         (self.run)(system, form, plan, store)
     }
 
+    /// Whether it runs in other arithmetics than f64: a scheme, not a program.
+    pub fn runs_in_double_double(&self) -> bool {
+        self.other_arithmetics.is_some()
+    }
+
     /// Runs in an arithmetic other than f64. The step is the time that the plan covers over its steps, in that arithmetic.
     ///
     /// A program and a solver of another crate run in f64 alone.

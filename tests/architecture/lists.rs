@@ -78,7 +78,9 @@ fn listed(text: &str) -> Vec<(String, String)> {
     let (_, list) = text.split_once("\nlist! {\n").expect("the list");
     let (list, _) = list.split_once("\n}").expect("its end");
     let entries = list.lines().filter_map(|line| line.trim().trim_end_matches([',', ';']).split_once("::"));
-    entries.map(|(module, scheme)| (module.to_owned(), scheme.to_owned())).collect()
+    // The values of a scheme with parameters stand behind it in brackets.
+    let name = |scheme: &str| scheme.split(' ').next().unwrap_or_default().to_owned();
+    entries.map(|(module, scheme)| (module.to_owned(), name(scheme))).collect()
 }
 
 /// `StrangRotations` of `strang_rotations`.

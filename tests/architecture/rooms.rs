@@ -44,7 +44,7 @@ const EDGES: &[(&str, &[&str])] = &[
     ("reference", &["interrupt", "model", "ode", "rotation"]),
     ("scenes", &["model", "rotation"]),
     ("simulate", &["arithmetic", "claim", "interrupt", "model", "rotation", "schemes"]),
-    ("measure", &["claim", "model", "ode", "record", "reference", "rotation", "simulate"]),
+    ("measure", &["arithmetic", "claim", "model", "ode", "record", "reference", "rotation", "simulate"]),
     ("gates", &["claim", "measure", "model", "quantity", "record", "schemes"]),
     (
         "study",
@@ -107,6 +107,7 @@ const EDGES: &[(&str, &[&str])] = &[
     (
         "cli",
         &[
+            "arithmetic",
             "campaign",
             "claim",
             "engine",

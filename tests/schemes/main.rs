@@ -5,6 +5,7 @@
 mod common;
 
 mod allocations;
+mod arithmetics;
 mod classical;
 mod constrained;
 mod forms_agree;

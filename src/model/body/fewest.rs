@@ -18,7 +18,8 @@ pub(super) fn fewest_points<T: Real>(
     origin: &Vector3<T>,
 ) -> Vec<MassPoint<T>> {
     let second = Vector3::repeat(moments.sum() / 2.0) - moments;
-    let rounding = moments.amax() * (64.0 * T::UNIT);
+    // The inertia is a number of f64: whether it is that of a plate is decided there.
+    let rounding = moments.amax() * (64.0 * T::UNIT.max(f64::EPSILON));
     if second.min() < -rounding {
         return Vec::new();
     }
