@@ -37,7 +37,7 @@ pub fn block(law: &Described) -> String {
             (None, Kind::PerPoint) => "; one for all points, or a list of one each".to_owned(),
             (None, _) => String::new(),
         };
-        text += &format!("{line:width$}  # {}: {}{given}\n", parameter.unit, parameter.what);
+        text += &format!("{line:width$}  # {} [{}]{given}\n", parameter.what, parameter.unit);
     }
     text
 }

@@ -126,7 +126,7 @@ fn of_law(law: &Described) -> Value {
 }
 
 fn of_parameter(parameter: &Parameter, key: &str) -> Value {
-    let description = format!("{}; {}", parameter.unit, parameter.what);
+    let description = format!("{} [{}]", parameter.what, parameter.unit);
     let mut value = match parameter.kind {
         Kind::Number => described(json!({"type": "number"}), &description),
         Kind::Vector => vector(&description),

@@ -23,7 +23,7 @@ pub enum Attachment<T: Real = f64> {
 parameters! {
     /// F = −k (|d| − rest) d/|d| − c U with d = X − anchor; the damper takes the whole velocity U of the point.
     pub struct Spring {
-        /// Where it holds: a mass point, or a place that need not carry mass, body axes, relative to the origin
+        /// Where it holds: a mass point, or a place on the body that need not carry mass
         attachment: Attachment<T> ["m"] = Body(Length), REQUIRED, point(0);
         /// Anchor, world
         anchor: Vector3<T> ["m"] = Place, ZEROS, vector(0.0, 0.0, 2.0);
