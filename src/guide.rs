@@ -101,8 +101,8 @@
 //! # Ok::<(), polhode::scenes::SceneError>(())
 //! ```
 //!
-//! [`scenes::built_in`](super::scenes::built_in) has all scenes of the list; `polhode list scenes` and `polhode list forces` print them
-//! and the laws.
+//! [`scenes::built_in`](super::scenes::built_in) has all scenes of the list; `polhode list scenes` prints them. `polhode list forces`
+//! prints a block to paste for each law, and `polhode list forces --schema` the JSON Schema of a scene file.
 //!
 //! # Read the records
 //!

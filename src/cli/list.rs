@@ -19,6 +19,11 @@ pub(super) struct Options {
     /// What to list
     #[arg(value_enum)]
     what: What,
+    /// One law alone, for `forces`
+    name: Option<String>,
+    /// The JSON Schema of scene files, for `forces`
+    #[arg(long, conflicts_with = "name")]
+    schema: bool,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -31,20 +36,33 @@ enum What {
 }
 
 pub(super) fn list(options: &Options) -> Result<u8, Failure> {
-    let table = match options.what {
-        What::Schemes => schemes(),
-        What::Scenes => scenes(),
-        What::Metrics => metrics(),
-        What::Claims => claims(),
-        What::Forces => table(
-            &["law", "formula"],
-            Law::NAMES.map(|(name, formula)| vec![name.to_owned(), formula.to_owned()]),
-        ),
-    };
-    let note =
-        if let What::Schemes = options.what { format!("\n{}\n", select::SUBSTEPS) } else { String::new() };
-    print(&format!("{table}\n{note}"))?;
+    if !matches!(options.what, What::Forces) && (options.name.is_some() || options.schema) {
+        return Err(Failure::Usage("list: a NAME and --schema belong to `polhode list forces`".to_owned()));
+    }
+    print(&match options.what {
+        What::Schemes => format!("{}\n\n{}\n", schemes(), select::SUBSTEPS),
+        What::Scenes => format!("{}\n", scenes()),
+        What::Metrics => format!("{}\n", metrics()),
+        What::Claims => format!("{}\n", claims()),
+        What::Forces => forces(options)?,
+    })?;
     Ok(0)
+}
+
+/// The laws, each as a table to paste into a scene.
+fn forces(options: &Options) -> Result<String, Failure> {
+    if options.schema {
+        return Ok(format!("{:#}\n", scenes::schema()));
+    }
+    let Some(name) = &options.name else {
+        return Ok(Law::ALL.map(|law| scenes::block(&law)).join("\n"));
+    };
+    if let Some(law) = Law::ALL.iter().find(|law| law.name == name) {
+        return Ok(scenes::block(law));
+    }
+    let known = Law::ALL.map(|law| law.name);
+    let meant = select::meant(name, known.iter().copied());
+    Err(Failure::Usage(format!("no law '{name}'{meant}; laws: {}", known.join(", "))))
 }
 
 /// Width from which on there is room for titles too.

@@ -6,7 +6,7 @@ use super::error::Fault;
 use super::hello::Hello;
 use super::process::Process;
 use super::reply::{self, Answer, States};
-use super::specimen::{LAWS, scene};
+use super::specimen::{self, scene};
 use super::{EngineError, greet, patience, request, words};
 use crate::model::forces::Law;
 use crate::model::{Broken, Quantity, System, difference};
@@ -188,11 +188,11 @@ impl Inquiry {
 
     fn laws(&mut self, hello: &Hello) {
         let listed = hello.forces.clone().unwrap_or_default();
-        for (law, lines) in LAWS {
+        for law in Law::ALL.iter().map(|law| law.name) {
             if hello.forces.is_some() && !listed.iter().any(|name| name == law) {
                 continue;
             }
-            let found = self.survives(&format!("[[forces]]\nlaw = \"{law}\"\n{lines}\n"), "");
+            let found = self.survives(&specimen::law(law), "");
             self.finds(&format!("a scene with the law '{law}' is run, or refused with a reason"), found);
         }
     }
@@ -240,11 +240,11 @@ fn known_laws(hello: &Hello) -> Result<String, String> {
     let Some(listed) = &hello.forces else {
         return Ok("no list: it is asked about every scene, and may refuse".to_owned());
     };
-    let known = |name: &&String| Law::NAMES.iter().any(|(law, _)| law == name);
+    let known = |name: &&String| Law::ALL.iter().any(|law| law.name == name.as_str());
     match listed.iter().find(|name| !known(name)) {
         None => Ok(if listed.is_empty() { "none".to_owned() } else { listed.join(", ") }),
         Some(other) => {
-            let names: Vec<_> = Law::NAMES.iter().map(|(name, _)| *name).collect();
+            let names: Vec<_> = Law::ALL.iter().map(|law| law.name).collect();
             Err(format!("there is no law '{other}'; the laws are {}", names.join(", ")))
         }
     }

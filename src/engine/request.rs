@@ -32,7 +32,7 @@ pub(super) fn run(id: u64, system: &System, plan: &Plan) -> Value {
         "ask": "run",
         "id": id,
         "body": {"mass": body.mass, "inertia": rows(&inertia(body)), "points": points},
-        "pivot": body.pivoted.then(|| laws::vector(&-body.center)),
+        "pivot": body.pivoted.then(|| json!((-body.center).as_slice())),
         "initial": {
             "position": start.position.as_slice(),
             "orientation": [q.w, q.i, q.j, q.k],

@@ -12,7 +12,7 @@
 
 use nalgebra::Vector3;
 
-use super::forces::{Attachment, Forces, Law, TorqueAxes};
+use super::forces::{Argument, Dimension, Forces, Law, Nature};
 use super::{Snapshot, System};
 use crate::arithmetic::Real;
 use crate::rotation::Rotation;
@@ -88,70 +88,49 @@ impl<T: Real> Change<T> {
 
     /// Whether a boosted world has the same laws: nothing in it stands still by itself.
     pub fn may_boost(system: &System<T>) -> bool {
-        let moves = |law: &Law<T>| match law {
-            Law::Gravity(_) | Law::Torque(_) | Law::Dipole(_) | Law::GravityGradient(_) => true,
-            Law::Lorentz(lorentz) => lorentz.magnetic.amax() == 0.0,
-            Law::Spring(_) | Law::Drag(_) | Law::CentralGravity(_) | Law::Ground(_) => false,
-        };
-        !system.body.pivoted && system.forces.laws().iter().all(moves)
+        !system.body.pivoted && system.forces.laws().iter().all(Law::is_galilean)
     }
 
     /// A law in the new world.
     fn law(&self, law: &Law<T>) -> Law<T> {
-        let acceleration = self.length / (self.time * self.time);
-        let force = self.mass * acceleration;
-        let torque = force * self.length;
-        let stiffness = self.mass / (self.time * self.time);
-        let damping = self.mass / self.time;
-        let turned = |vector: &Vector3<T>, unit: T| self.turn * vector * unit;
-        let mut law = law.clone();
-        match &mut law {
-            Law::Gravity(law) => law.acceleration = turned(&law.acceleration, acceleration),
-            Law::Spring(law) => {
-                law.anchor = turned(&law.anchor, self.length) + self.shift;
-                law.stiffness *= stiffness;
-                law.damping *= damping;
-                law.rest_length *= self.length.abs();
-                if let Attachment::At(position) = &mut law.attachment {
-                    *position *= self.length;
-                }
+        // A height goes along the direction that stands before it in the table.
+        let mut normal = Vector3::zeros();
+        law.map(|parameter, argument| {
+            let new = self.argument(parameter.nature, law.in_body_axes(parameter), argument, &normal);
+            if let (Nature::Direction, Argument::Vector(direction)) = (parameter.nature, &new) {
+                normal = *direction;
             }
-            Law::Drag(law) => law.coefficient = law.coefficient.scaled(damping),
-            Law::CentralGravity(law) => {
-                law.mu *= self.length.abs().powi(3) / (self.time * self.time);
-                law.center = turned(&law.center, self.length) + self.shift;
-            }
-            Law::Lorentz(law) => {
-                for field in [&mut law.electric, &mut law.electric_cosine, &mut law.electric_sine] {
-                    *field = turned(field, force);
-                }
-                law.frequency /= self.time;
-                law.magnetic = turned(&law.magnetic, damping);
-            }
-            Law::Torque(law) => {
-                for amplitude in [&mut law.constant, &mut law.cosine, &mut law.sine] {
-                    *amplitude = match law.axes {
-                        TorqueAxes::World => turned(amplitude, torque),
-                        TorqueAxes::Body => *amplitude * torque,
-                    };
-                }
-                law.frequency /= self.time;
-            }
-            Law::Dipole(law) => law.field = turned(&law.field, torque),
-            Law::GravityGradient(law) => {
-                law.mu_over_r3 /= self.time * self.time;
-                law.direction = turned(&law.direction, T::one());
-                law.normal = turned(&law.normal, T::one());
-                law.rate /= self.time;
-            }
-            Law::Ground(law) => {
-                law.normal = turned(&law.normal, self.length.signum());
-                law.height = law.height * self.length.abs() + law.normal.dot(&self.shift);
-                law.stiffness *= stiffness;
-                law.damping *= damping;
-                law.slip_velocity *= self.length.abs() / self.time;
-            }
-        }
-        law
+            new
+        })
+    }
+
+    /// An argument of a law in the new world.
+    fn argument(
+        &self,
+        nature: Nature,
+        in_body_axes: bool,
+        argument: Argument<T>,
+        normal: &Vector3<T>,
+    ) -> Argument<T> {
+        let dimension = nature.dimension();
+        let number = |x: T| match nature {
+            Nature::Height => x * self.length.abs() + normal.dot(&self.shift),
+            _ => self.scaled(x, self.length.abs(), dimension),
+        };
+        let scaled = |v: Vector3<T>| v.map(|x| self.scaled(x, self.length, dimension));
+        let vector = |v: Vector3<T>| match nature {
+            _ if in_body_axes => scaled(v),
+            Nature::Place => self.turn * v * self.length + self.shift,
+            Nature::Direction => self.turn * v * self.length.signum(),
+            _ => scaled(self.turn * v),
+        };
+        argument.map(number, vector)
+    }
+
+    /// A number of this dimension in the new units.
+    fn scaled(&self, x: T, length: T, dimension: Dimension) -> T {
+        let [m, l, s] = dimension.powers();
+        let time = self.time.powi(s);
+        if m == 0 && l == 0 { x / time } else { x * (self.mass.powi(m) * length.powi(l) / time) }
     }
 }

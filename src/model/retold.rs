@@ -4,7 +4,7 @@
 use nalgebra::Vector3;
 
 use super::body::{Body, MassPoint, Shape, second_moment_inertia};
-use super::forces::{Attachment, Forces, Law, PerPoint, TorqueAxes};
+use super::forces::{Argument, Attachment, Forces, Law, PerPoint};
 use super::{Spin, System};
 use crate::rotation::Rotation;
 
@@ -15,25 +15,17 @@ const GOLDEN_ANGLE: f64 = 2.399_963_229_728_653;
 pub fn permuted(system: &System) -> Option<System> {
     let points: Vec<MassPoint> = system.body.points.iter().rev().copied().collect();
     let last = points.len().checked_sub(1).filter(|last| *last > 0)?;
-    let reversed = |values: &mut PerPoint| {
-        if let PerPoint::Each(values) = values {
+    let laws = arguments_changed(system, |argument| match argument {
+        Argument::PerPoint(PerPoint::Each(mut values)) => {
             values.reverse();
+            Argument::PerPoint(PerPoint::Each(values))
         }
-    };
-    let laws = system.forces.laws().iter().cloned().map(|mut law| {
-        match &mut law {
-            Law::Drag(drag) => reversed(&mut drag.coefficient),
-            Law::Lorentz(lorentz) => reversed(&mut lorentz.charge),
-            Law::Spring(spring) => {
-                if let Attachment::Point(index) = &mut spring.attachment {
-                    *index = last - *index;
-                }
-            }
-            _ => {}
+        Argument::Attachment(Attachment::Point(index)) => {
+            Argument::Attachment(Attachment::Point(last - index))
         }
-        law
+        other => other,
     });
-    of_points(system, &points, laws.collect())
+    of_points(system, &points, laws)
 }
 
 /// The heaviest point as two halves in its place; `None` without points, and over a ground, which bears on points whatever their
@@ -41,7 +33,7 @@ pub fn permuted(system: &System) -> Option<System> {
 pub fn split(system: &System) -> Option<System> {
     let mut points = system.body.points.clone();
     let heaviest = (0..points.len()).max_by(|a, b| points[*a].mass.total_cmp(&points[*b].mass))?;
-    if system.forces.laws().iter().any(|law| matches!(law, Law::Ground(_))) {
+    if !system.forces.laws().iter().all(Law::splits) {
         return None;
     }
     let count = points.len();
@@ -53,15 +45,11 @@ pub fn split(system: &System) -> Option<System> {
         values.push(values[heaviest]);
         PerPoint::Each(values)
     };
-    let laws = system.forces.laws().iter().cloned().map(|mut law| {
-        match &mut law {
-            Law::Drag(drag) => drag.coefficient = halved(&drag.coefficient),
-            Law::Lorentz(lorentz) => lorentz.charge = halved(&lorentz.charge),
-            _ => {}
-        }
-        law
+    let laws = arguments_changed(system, |argument| match argument {
+        Argument::PerPoint(values) => Argument::PerPoint(halved(&values)),
+        other => other,
     });
-    of_points(system, &points, laws.collect())
+    of_points(system, &points, laws)
 }
 
 /// Every point moved by a part of the body's extent, each in another direction and in as many ways as asked for; `None` without points.
@@ -80,22 +68,19 @@ pub fn moved(system: &System, part: f64, way: usize) -> Option<System> {
 /// Mass and inertia in place of the points; `None` where a law acts on every point.
 pub fn by_inertia(system: &System) -> Option<System> {
     let body = &system.body;
-    let acts_on_points = |law: &Law| law.needs_points();
-    if body.points.is_empty() || system.forces.laws().iter().any(acts_on_points) {
+    if body.points.is_empty() || system.forces.laws().iter().any(Law::needs_points) {
         return None;
     }
-    let laws = system.forces.laws().iter().cloned().map(|mut law| {
-        if let Law::Spring(spring) = &mut law
-            && let Attachment::Point(index) = spring.attachment
-        {
-            spring.attachment = Attachment::At(body.points[index].position);
+    let laws = arguments_changed(system, |argument| match argument {
+        Argument::Attachment(Attachment::Point(index)) => {
+            Argument::Attachment(Attachment::At(body.points[index].position))
         }
-        law
+        other => other,
     });
     let about_center = body.inertia - second_moment_inertia(&body.center) * body.mass;
     let pivot = body.pivoted.then_some(-body.center);
     let told = Body::from_inertia(body.mass, about_center, pivot, false).ok()?;
-    started(system, told, laws.collect())
+    started(system, told, laws)
 }
 
 /// The same body in other body axes, turned by Q = `turn`: x' = Q x, I' = Q I Qᵀ, R' = R Qᵀ. Everything in world axes
@@ -113,28 +98,20 @@ pub fn in_axes(system: &System, turn: &Rotation) -> System {
         *direction = turn * *direction;
     }
     new.start.orientation *= turn.inverse();
-    let laws = system.forces.laws().iter().cloned().map(|law| law_in_axes(law, turn));
-    new.forces = Forces::new(laws.collect(), &new.body);
+    let in_axes = |law: &Law| {
+        let turned = |v: Vector3<f64>| turn * v;
+        law.map(|parameter, argument| match law.in_body_axes(parameter) {
+            true => argument.map(|x| x, turned),
+            false => argument,
+        })
+    };
+    new.forces = Forces::new(system.forces.laws().iter().map(in_axes).collect(), &new.body);
     new
 }
 
-/// A law whose vectors in body axes are turned; those in world axes stay.
-fn law_in_axes(mut law: Law, turn: &Rotation) -> Law {
-    match &mut law {
-        Law::Spring(spring) => {
-            if let Attachment::At(place) = &mut spring.attachment {
-                *place = turn * *place;
-            }
-        }
-        Law::Torque(torque) if torque.axes == TorqueAxes::Body => {
-            for amplitude in [&mut torque.constant, &mut torque.cosine, &mut torque.sine] {
-                *amplitude = turn * *amplitude;
-            }
-        }
-        Law::Dipole(dipole) => dipole.moment = turn * dipole.moment,
-        _ => {}
-    }
-    law
+/// The laws of a system with their arguments changed.
+fn arguments_changed(system: &System, change: impl Fn(Argument) -> Argument) -> Vec<Law> {
+    system.forces.laws().iter().map(|law| law.map(|_, argument| change(argument))).collect()
 }
 
 /// The points stand about the body's origin already: a pivot is there, and a free body's centre of mass to rounding.

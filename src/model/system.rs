@@ -209,14 +209,14 @@ impl<T: Real> System<T> {
     pub fn constant_force(&self) -> (bool, bool) {
         let laws = self.forces.laws();
         let free_of_force = !self.body.pivoted && laws.iter().all(Law::is_torque);
-        let constant =
-            !self.body.pivoted && laws.iter().all(|law| law.is_torque() || matches!(law, Law::Gravity(_)));
+        let is_constant = |law: &Law<T>| law.is_torque() || law.uniform_acceleration().is_some();
+        let constant = !self.body.pivoted && laws.iter().all(is_constant);
         (constant, free_of_force)
     }
 
     /// Whether no torque acts about the centre of mass and nothing holds the body.
     pub fn torque_free(&self) -> bool {
-        !self.body.pivoted && self.forces.laws().iter().all(|law| matches!(law, Law::Gravity(_)))
+        !self.body.pivoted && self.forces.laws().iter().all(|law| law.uniform_acceleration().is_some())
     }
 
     /// The least model that determines the motion.
@@ -230,13 +230,8 @@ impl<T: Real> System<T> {
         if laws.is_empty() {
             return AnyModel::Free(Free { rotational, start });
         }
-        if laws.iter().all(|law| matches!(law, Law::Gravity(_))) {
-            let acceleration = laws
-                .iter()
-                .filter_map(
-                    |law| if let Law::Gravity(gravity) = law { Some(gravity.acceleration) } else { None },
-                )
-                .sum();
+        if laws.iter().all(|law| law.uniform_acceleration().is_some()) {
+            let acceleration = laws.iter().filter_map(Law::uniform_acceleration).sum();
             let inverse_mass = T::one() / self.body.mass;
             return AnyModel::Falling(Falling { rotational, start, acceleration, forces, inverse_mass });
         }

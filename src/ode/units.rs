@@ -13,7 +13,7 @@
 
 use nalgebra::Vector3;
 
-use crate::model::forces::{Law, Load};
+use crate::model::forces::{Argument, Law, Load, Nature};
 use crate::model::{Placed, System};
 use crate::rotation;
 
@@ -82,10 +82,10 @@ fn reach(system: &System) -> f64 {
         .forces
         .laws()
         .iter()
-        .map(|law| match law {
-            Law::Spring(spring) => from(&spring.anchor).max(rounding),
-            Law::CentralGravity(central) => from(&central.center).max(rounding),
-            Law::Ground(_) => rounding,
+        .flat_map(Law::arguments)
+        .map(|(parameter, argument)| match (parameter.nature, argument) {
+            (Nature::Place, Argument::Vector(place)) => from(&place).max(rounding),
+            (Nature::Height, _) => rounding,
             _ => 0.0,
         })
         .fold(0.0, f64::max)

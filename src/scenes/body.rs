@@ -8,6 +8,9 @@ use super::value::Value;
 use super::wording;
 use crate::model::body::{Body, BodyError, MassPoint};
 
+/// The keys of `[body]`.
+pub(super) const KEYS: &[&str] = &["points", "mass", "inertia", "unphysical_inertia", "pivot"];
+
 /// A body, and where its frame lies.
 pub(super) struct Given {
     /// The body about its origin.
@@ -20,7 +23,7 @@ pub(super) struct Given {
 
 /// Reads the body.
 pub(super) fn read(entry: &Value) -> Result<Given, SceneError> {
-    let table = entry.table(&["points", "mass", "inertia", "unphysical_inertia", "pivot"])?;
+    let table = entry.table(KEYS)?;
     table.not_both("points", "inertia")?;
     let pivot = table.optional_vector("pivot")?;
     match (table.get("points"), table.get("inertia")) {

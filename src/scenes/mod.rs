@@ -10,6 +10,7 @@ mod laws;
 mod list;
 #[cfg(feature = "cli")]
 pub(crate) mod random;
+mod schema;
 mod start;
 mod table;
 mod value;
@@ -20,7 +21,10 @@ use std::path::Path;
 use toml::de::DeTable;
 
 pub use error::SceneError;
+pub use laws::block;
 pub use list::FILES;
+pub use schema::schema;
+pub(crate) use schema::to_json;
 
 use crate::model::System;
 use table::Table;

@@ -8,7 +8,7 @@ use super::table::Table;
 use super::value::Value;
 use super::wording;
 use crate::model::body::{Body, Shape};
-use crate::model::forces::Law;
+use crate::model::forces::{Kind, Law};
 use crate::model::{Spin, System, SystemError};
 use crate::rotation::{self, Rotation};
 
@@ -148,7 +148,11 @@ fn located(error: &SystemError, entries: &[Value], spin: Option<&Value>, whole: 
             (in_law(*index, "law"), "; remove the law or give the body as points".to_string())
         }
         SystemError::ListLength { index, points, .. } => (
-            in_law(*index, "coefficient").or_else(|| in_law(*index, "charge")),
+            Law::ALL
+                .iter()
+                .flat_map(|law| law.parameters)
+                .filter(|parameter| parameter.kind == Kind::PerPoint)
+                .find_map(|parameter| in_law(*index, parameter.key)),
             format!(": write {points} values, or one number for all"),
         ),
         SystemError::PointIndex { index, points: 0, .. } => {

@@ -22,7 +22,7 @@ impl<'t> Table<'t> {
         path: String,
         start: usize,
         entries: &'t DeTable<'t>,
-        keys: &'static [&'static str],
+        keys: &[&str],
     ) -> Result<Table<'t>, SceneError> {
         let table = Table { document, path, start, entries };
         let unknown = entries
@@ -53,17 +53,12 @@ impl<'t> Table<'t> {
 
     /// A value that must be there.
     pub fn required(&self, key: &str) -> Result<Value<'t>, SceneError> {
-        self.get(key).ok_or_else(|| self.refuse(key, format!("is missing: write {}", wording::example(key))))
+        self.get(key).ok_or_else(|| self.missing(key))
     }
 
-    /// A number that must be there.
-    pub fn number(&self, key: &str) -> Result<f64, SceneError> {
-        self.required(key)?.number()
-    }
-
-    /// A number, or its default.
-    pub fn number_or(&self, key: &str, default: f64) -> Result<f64, SceneError> {
-        self.get(key).map_or(Ok(default), |value| value.number())
+    /// Says that a key is missing, and what to write.
+    pub fn missing(&self, key: &str) -> SceneError {
+        self.refuse(key, format!("is missing: write {}", wording::example(key)))
     }
 
     /// Three numbers that must be there.
@@ -74,16 +69,6 @@ impl<'t> Table<'t> {
     /// Three numbers, where the key is there.
     pub fn optional_vector(&self, key: &str) -> Result<Option<Vector3<f64>>, SceneError> {
         self.get(key).map(|value| value.vector()).transpose()
-    }
-
-    /// Three numbers, or zeros.
-    pub fn vector_or_zero(&self, key: &str) -> Result<Vector3<f64>, SceneError> {
-        Ok(self.optional_vector(key)?.unwrap_or_default())
-    }
-
-    /// A direction, or the third axis.
-    pub fn direction_or_z(&self, key: &str) -> Result<Vector3<f64>, SceneError> {
-        self.get(key).map_or(Ok(Vector3::z()), |value| value.direction())
     }
 
     /// A text, where the key is there.

@@ -167,7 +167,7 @@ impl<'t> Value<'t> {
     }
 
     /// A table that may have these keys and no others.
-    pub fn table(&self, keys: &'static [&'static str]) -> Result<Table<'t>, SceneError> {
+    pub fn table(&self, keys: &[&str]) -> Result<Table<'t>, SceneError> {
         match self.value.get_ref() {
             DeValue::Table(entries) => {
                 Table::open(self.document, self.path.clone(), self.value.span().start, entries, keys)

@@ -1,6 +1,8 @@
 //! What error messages suggest: an example for every key of the format, and the word that was meant.
 
-/// Every key of a scene file, and a line that would be right.
+use crate::model::forces::{Kind, Law, TorqueAxes};
+
+/// Keys of a scene file, and a line that would be right. Those of the laws stand in their tables.
 const EXAMPLES: &[(&str, &str)] = &[
     ("name", "name = \"my-scene\""),
     ("title", "title = \"One line for the report\""),
@@ -22,35 +24,8 @@ const EXAMPLES: &[(&str, &str)] = &[
     ("angular_velocity", "angular_velocity = [0.0, 0.0, 1.0]"),
     ("angular_momentum", "angular_momentum = [0.0, 0.0, 1.0]"),
     ("law", "law = \"gravity\""),
-    ("acceleration", "acceleration = [0.0, 0.0, -9.81]"),
     ("point", "point = 0"),
     ("at", "at = [0.0, 0.0, 0.5]"),
-    ("anchor", "anchor = [0.0, 0.0, 0.0]"),
-    ("stiffness", "stiffness = 100.0"),
-    ("damping", "damping = 0.0"),
-    ("rest_length", "rest_length = 0.0"),
-    ("coefficient", "coefficient = 0.1, or a list of one for each point"),
-    ("mu", "mu = 8.0"),
-    ("center", "center = [0.0, 0.0, 0.0]"),
-    ("charge", "charge = 1.0, or a list of one for each point"),
-    ("electric", "electric = [0.0, 0.0, 1.0]"),
-    ("electric_cosine", "electric_cosine = [0.0, 0.0, 1.0]"),
-    ("electric_sine", "electric_sine = [0.0, 0.0, 1.0]"),
-    ("frequency", "frequency = 2.0"),
-    ("magnetic", "magnetic = [0.0, 0.0, 1.0]"),
-    ("axes", "axes = \"body\" or axes = \"world\""),
-    ("constant", "constant = [0.0, 0.0, 1.0]"),
-    ("cosine", "cosine = [0.0, 0.0, 1.0]"),
-    ("sine", "sine = [0.0, 0.0, 1.0]"),
-    ("moment", "moment = [0.0, 0.0, 1.0]"),
-    ("field", "field = [0.0, 0.1, 0.0]"),
-    ("mu_over_r3", "mu_over_r3 = 1.0"),
-    ("direction", "direction = [1.0, 0.0, 0.0]"),
-    ("normal", "normal = [0.0, 0.0, 1.0]"),
-    ("rate", "rate = 0.0"),
-    ("height", "height = 0.0"),
-    ("friction", "friction = 0.3"),
-    ("slip_velocity", "slip_velocity = 1.0e-3"),
 ];
 
 /// The last key of a path, without its indices: `stiffness` of `forces[1].stiffness`.
@@ -60,9 +35,20 @@ pub(super) fn last_key(path: &str) -> &str {
 }
 
 /// A line that would be right in place of the value at `path`.
-pub(super) fn example(path: &str) -> &'static str {
+pub(super) fn example(path: &str) -> String {
     let key = last_key(path);
-    EXAMPLES.iter().find(|(known, _)| *known == key).map_or("a value that fits", |(_, line)| *line)
+    if let Some((_, line)) = EXAMPLES.iter().find(|(known, _)| *known == key) {
+        return (*line).to_owned();
+    }
+    let Some(parameter) = Law::ALL.iter().flat_map(|law| law.parameters).find(|p| p.key == key) else {
+        return "a value that fits".to_owned();
+    };
+    let line = format!("{key} = {}", parameter.example);
+    match parameter.kind {
+        Kind::PerPoint => format!("{line}, or a list of one for each point"),
+        Kind::Axes => TorqueAxes::ALL.map(|axes| format!("{key} = \"{}\"", axes.word())).join(" or "),
+        _ => line,
+    }
 }
 
 /// The candidates that a mistyped word may stand for, the closest first.

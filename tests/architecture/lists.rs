@@ -23,6 +23,22 @@ const NO_SCHEME: [&str; 14] = [
     "mod",
 ];
 
+/// Where laws are named one by one: their own files, the reference with its transcription, special cases that a study or a
+/// measurement is about, and defects.
+const LAWS_BY_NAME: [&str; 11] = [
+    "src/campaign/scaling.rs",
+    "src/measure/invariants.rs",
+    "src/measure/points.rs",
+    "src/model/forces",
+    "src/reference",
+    "src/self_test/planted.rs",
+    "src/study/cause.rs",
+    "src/study/stability/bench.rs",
+    "src/study/stability/kink.rs",
+    "src/study/stability/maps/drag.rs",
+    "src/study/stability/theory.rs",
+];
+
 /// A path without `..` in it.
 fn plain(path: &Path) -> PathBuf {
     let mut plain = PathBuf::new();
@@ -106,4 +122,22 @@ fn every_scheme_file_stands_in_the_list() {
     let odd: Vec<&String> = names.symmetric_difference(&expected).collect();
     assert!(odd.is_empty(), "only in src/schemes, or only in its list: {odd:?}");
     assert!(list.len() >= 44);
+}
+
+#[test]
+fn no_other_file_names_a_law() {
+    let names_a_law = |text: &str| {
+        text.split("Law::").skip(1).any(|rest| {
+            let name: String = rest.chars().take_while(|c| c.is_ascii_alphanumeric()).collect();
+            // `Law::ALL` and `Law::NAMES` are lists, `Law::build` is a function.
+            name.starts_with(|c: char| c.is_ascii_uppercase())
+                && name.contains(|c: char| c.is_ascii_lowercase())
+        })
+    };
+    let mut met = BTreeSet::new();
+    for file in sources::of("src").iter().filter(|file| names_a_law(&file.text)) {
+        let allowed = LAWS_BY_NAME.iter().find(|place| file.path.starts_with(place));
+        met.insert(allowed.unwrap_or_else(|| panic!("{} names a law", file.path.display())));
+    }
+    assert_eq!(met.len(), LAWS_BY_NAME.len() - 1, "a place names no law: {met:?}");
 }

@@ -8,6 +8,7 @@ mod advise_and_sweep;
 mod campaigns;
 mod comparing;
 mod judge;
+mod lists;
 mod reference;
 mod runs;
 mod stability;

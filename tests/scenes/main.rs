@@ -9,4 +9,5 @@ mod fuzz;
 mod given;
 mod refused_bodies;
 mod refused_forces;
+mod tables;
 mod user_scenes;

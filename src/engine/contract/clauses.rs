@@ -292,11 +292,12 @@ fn described_alike(subject: &mut Subject, stage: &Stage) -> Seen {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::forces::Law;
 
     #[test]
     fn a_body_in_other_axes_moves_alike_under_every_law() {
         let axes = rotation::turn(&TURN);
-        let laws = specimen::LAWS.map(|(name, _)| (specimen::law(name), ""));
+        let laws = Law::ALL.map(|law| (specimen::law(law.name), ""));
         for (forces, pivot) in laws.into_iter().chain([(String::new(), "pivot = [0.1, 0.2, -0.3]")]) {
             let system = specimen::scene(&forces, pivot);
             let end = |system: &System| {

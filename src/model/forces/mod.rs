@@ -5,119 +5,264 @@
 //! `--model points` and in the references. Reduced form: sums over the points are taken once, in principal
 //! axes, before the run; only laws that are not polynomial in X̃_k still visit their points.
 
+mod argument;
 mod central_gravity;
 mod dipole;
 mod drag;
+#[cfg(test)]
+mod facts;
+pub(crate) mod draw;
 mod gravity;
 mod gravity_gradient;
 mod ground;
+mod law;
 mod lorentz;
+mod parameter;
 mod per_point;
 mod pose;
 mod spring;
 mod torque;
 
+pub use argument::{Argument, Kind};
 pub use central_gravity::CentralGravity;
 pub use dipole::Dipole;
 pub use drag::Drag;
 pub use gravity::Gravity;
 pub use gravity_gradient::GravityGradient;
 pub use ground::Ground;
+pub use law::Described;
+pub(crate) use law::{ALONG_ROD, Acts};
 pub use lorentz::Lorentz;
+pub use parameter::{Dimension, Nature, Parameter};
 pub use per_point::PerPoint;
 pub(crate) use pose::{Arms, Cloud, Load, Pose};
 pub use spring::{Attachment, Spring};
 pub use torque::{Torque, TorqueAxes};
 
+use std::convert::Infallible;
+
 use nalgebra::{Matrix3, Vector3};
 
 use super::body::Body;
 use crate::arithmetic::Real;
-use pose::{each_point, sum_points};
+use draw::{Draw, Surroundings};
+use law::{ForceLaw, RandomLaw, ReducedLaw};
 
-/// A force law as a scene states it.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Law<T: Real = f64> {
-    /// F_k = M_k g.
-    Gravity(Gravity<T>),
-    /// A spring with damper from a point of the body to an anchor.
-    Spring(Spring<T>),
-    /// F_k = −c_k U_k.
-    Drag(Drag<T>),
-    /// F_k = −μ M_k d/|d|³.
-    CentralGravity(CentralGravity<T>),
-    /// F_k = q_k (E(t) + U_k × B).
-    Lorentz(Lorentz<T>),
-    /// A torque that depends on time alone.
-    Torque(Torque<T>),
-    /// τ = m × B.
-    Dipole(Dipole<T>),
-    /// τ = 3 μ/r³ (r̂ × I r̂).
-    GravityGradient(GravityGradient<T>),
-    /// A one-sided elastic plane with friction.
-    Ground(Ground<T>),
+/// Writes the list of laws, and for each what differs by nothing but its name.
+macro_rules! laws {
+    ($($(#[$doc:meta])* $law:ident in $file:ident,)*) => {
+        /// A force law as a scene states it.
+        #[derive(Clone, Debug, PartialEq)]
+        pub enum Law<T: Real = f64> {
+            $($(#[$doc])* $law($law<T>),)*
+        }
+
+        /// A law with its sums over the points taken, in principal axes.
+        #[derive(Clone, Debug)]
+        enum Reduced<T: Real = f64> {
+            $($law($file::Reduced<T>),)*
+        }
+
+        impl Law {
+            /// All laws, in the order of the list.
+            pub const ALL: [Described; [$(stringify!($law)),*].len()] = [$(Described {
+                name: <$law as ForceLaw<f64>>::NAME,
+                formula: <$law as ForceLaw<f64>>::FORMULA,
+                source: <$law as ForceLaw<f64>>::SOURCE,
+                parameters: $law::<f64>::PARAMETERS,
+                random: |draw, around| $law::random(draw, around).map(|(law, rate)| (Law::$law(law), rate)),
+            },)*];
+
+            /// Names of all laws, with the formula of each.
+            pub const NAMES: [(&'static str, &'static str); [$(stringify!($law)),*].len()] =
+                [$((<$law as ForceLaw<f64>>::NAME, <$law as ForceLaw<f64>>::FORMULA),)*];
+
+            /// The law of this name with these arguments; `None` where no law has the name.
+            pub(crate) fn build<E>(
+                name: &str,
+                argument: impl FnMut(&'static Parameter) -> Result<Argument, E>,
+            ) -> Option<Result<Law, E>> {
+                $(if name == <$law as ForceLaw<f64>>::NAME {
+                    return Some($law::build(argument).map(Law::$law));
+                })*
+                None
+            }
+        }
+
+        impl<T: Real> Law<T> {
+            /// Its name, as in a scene file.
+            pub fn name(&self) -> &'static str {
+                match self { $(Law::$law(_) => <$law<T> as ForceLaw<T>>::NAME,)* }
+            }
+
+            /// What it acts on.
+            pub(crate) fn acts(&self) -> Acts {
+                match self { $(Law::$law(_) => <$law<T> as ForceLaw<T>>::ACTS,)* }
+            }
+
+            /// Whether the force has a kink.
+            pub(crate) fn has_kink(&self) -> bool {
+                match self { $(Law::$law(_) => <$law<T> as ForceLaw<T>>::HAS_KINK,)* }
+            }
+
+            /// Whether a mass point and its two halves feel the same, each half with half of every value of the point.
+            pub(crate) fn splits(&self) -> bool {
+                match self { $(Law::$law(_) => <$law<T> as ForceLaw<T>>::SPLITS,)* }
+            }
+
+            /// Its arguments, in the order of its table.
+            pub fn arguments(&self) -> Vec<(&'static Parameter, Argument<T>)> {
+                match self { $(Law::$law(law) => law.arguments(),)* }
+            }
+
+            /// The same law with its arguments changed.
+            pub(crate) fn map<U: Real>(
+                &self,
+                change: impl FnMut(&'static Parameter, Argument<T>) -> Argument<U>,
+            ) -> Law<U> {
+                match self { $(Law::$law(law) => Law::$law(law.map(change)),)* }
+            }
+
+            /// How fast the law goes round by itself [rad/s]; 0 where it does not depend on time.
+            pub(crate) fn clock(&self) -> T {
+                match self { $(Law::$law(law) => law.clock(),)* }
+            }
+
+            /// Whether the law may feed energy into a motion for as long as it lasts.
+            pub(crate) fn drives(&self) -> bool {
+                match self { $(Law::$law(law) => law.drives(),)* }
+            }
+
+            /// Whether the law is the same in a world that moves at a constant velocity.
+            pub(crate) fn is_galilean(&self) -> bool {
+                match self { $(Law::$law(law) => law.is_galilean(),)* }
+            }
+
+            /// The acceleration that it gives to every mass alike [m/s²], where it does so.
+            pub(crate) fn uniform_acceleration(&self) -> Option<Vector3<T>> {
+                match self { $(Law::$law(law) => law.uniform_acceleration(),)* }
+            }
+
+            /// Whether it has a torque about a rod in this direction [body axes] of this extent [m].
+            pub(crate) fn turns_rod(&self, direction: &Vector3<T>, extent: T) -> bool {
+                match self { $(Law::$law(law) => law.turns_rod(direction, extent),)* }
+            }
+
+            /// A parameter that contradicts the others, and what it should be.
+            pub(crate) fn contradiction(&self) -> Option<(&'static str, &'static str)> {
+                match self { $(Law::$law(law) => law.contradiction(),)* }
+            }
+
+            fn reads_velocity(&self) -> bool {
+                match self { $(Law::$law(law) => law.reads_velocity(),)* }
+            }
+
+            fn conserves(&self) -> bool {
+                match self { $(Law::$law(law) => law.conserves(),)* }
+            }
+
+            fn reduce(&self, body: &Body<T>) -> Reduced<T> {
+                match self { $(Law::$law(law) => Reduced::$law(law.reduce(body)),)* }
+            }
+
+            #[inline]
+            fn add_on_points(&self, t: T, cloud: &Cloud<T>, marker: &mut usize, load: &mut Load<T>) {
+                match self { $(Law::$law(law) => law.add_on_points(t, cloud, marker, load),)* }
+            }
+
+            fn potential(&self, cloud: &Cloud<T>, marker: &mut usize) -> Option<T> {
+                match self { $(Law::$law(law) => law.potential(cloud, marker),)* }
+            }
+        }
+
+        impl<T: Real> Reduced<T> {
+            #[inline]
+            fn add(&self, t: T, pose: &Pose<T>, load: &mut Load<T>) {
+                match self { $(Reduced::$law(law) => law.add(t, pose, load),)* }
+            }
+        }
+    };
 }
 
-impl Law {
-    /// Names of all laws, with the formula of each.
-    pub const NAMES: [(&'static str, &'static str); 9] = [
-        ("gravity", "F_k = M_k g"),
-        ("spring", "F = -k (|d| - rest) d/|d| - c U,  d = X_k - anchor"),
-        ("drag", "F_k = -c_k U_k"),
-        ("central-gravity", "F_k = -mu M_k d/|d|^3,  d = X_k - center"),
-        ("lorentz", "F_k = q_k (E(t) + U_k x B)"),
-        ("torque", "tau = constant + cosine cos(wt) + sine sin(wt), world or body axes"),
-        ("dipole", "tau = m x B"),
-        ("gravity-gradient", "tau = 3 mu/r^3 (r x I r), r a unit vector turning at a rate"),
-        ("ground", "F_k = (k d - c U_k.n)+ n and friction -mu N s/sqrt(s.s + v0^2), d = height - X_k.n > 0"),
-    ];
+laws! {
+    /// F_k = M_k g.
+    Gravity in gravity,
+    /// A spring with damper from a point of the body to an anchor.
+    Spring in spring,
+    /// F_k = −c_k U_k.
+    Drag in drag,
+    /// F_k = −μ M_k d/|d|³.
+    CentralGravity in central_gravity,
+    /// F_k = q_k (E(t) + U_k × B).
+    Lorentz in lorentz,
+    /// A torque that depends on time alone.
+    Torque in torque,
+    /// τ = m × B.
+    Dipole in dipole,
+    /// τ = 3 μ/r³ (r̂ × I r̂).
+    GravityGradient in gravity_gradient,
+    /// A one-sided elastic plane with friction.
+    Ground in ground,
+}
+
+impl Described {
+    /// An instance with the example of every parameter.
+    ///
+    /// # Panics
+    /// The list has no law of this name, which cannot be.
+    pub fn example(&self) -> Law {
+        let Some(Ok(law)) = Law::build(self.name, |parameter| Ok::<_, Infallible>(parameter.example.clone()))
+        else {
+            panic!("no law {}", self.name)
+        };
+        law
+    }
+
+    /// An instance by chance, and the rate at which it changes a motion [rad/s].
+    pub(crate) fn random(&self, draw: &mut Draw, around: &Surroundings) -> Option<(Law, f64)> {
+        (self.random)(draw, around)
+    }
 }
 
 impl<T: Real> Law<T> {
     /// The same law in this arithmetic.
     pub(crate) fn of(law: &Law) -> Law<T> {
-        match law {
-            Law::Gravity(law) => Law::Gravity(Gravity::of(law)),
-            Law::Spring(law) => Law::Spring(Spring::of(law)),
-            Law::Drag(law) => Law::Drag(Drag::of(law)),
-            Law::CentralGravity(law) => Law::CentralGravity(CentralGravity::of(law)),
-            Law::Lorentz(law) => Law::Lorentz(Lorentz::of(law)),
-            Law::Torque(law) => Law::Torque(Torque::of(law)),
-            Law::Dipole(law) => Law::Dipole(Dipole::of(law)),
-            Law::GravityGradient(law) => Law::GravityGradient(GravityGradient::of(law)),
-            Law::Ground(law) => Law::Ground(Ground::of(law)),
-        }
-    }
-
-    /// Name of the law as in a scene file.
-    pub fn name(&self) -> &'static str {
-        let index = match self {
-            Law::Gravity(_) => 0,
-            Law::Spring(_) => 1,
-            Law::Drag(_) => 2,
-            Law::CentralGravity(_) => 3,
-            Law::Lorentz(_) => 4,
-            Law::Torque(_) => 5,
-            Law::Dipole(_) => 6,
-            Law::GravityGradient(_) => 7,
-            Law::Ground(_) => 8,
-        };
-        Law::<f64>::NAMES[index].0
+        law.map(|_, argument| argument.map(T::of, |vector| vector.map(T::of)))
     }
 
     /// Whether the law is a torque without a force.
     pub fn is_torque(&self) -> bool {
-        matches!(self, Law::Torque(_) | Law::Dipole(_) | Law::GravityGradient(_))
+        self.acts() == Acts::AsTorque
     }
 
     /// Whether the law acts on every mass point in a way that needs the points themselves.
     pub fn needs_points(&self) -> bool {
-        matches!(self, Law::Drag(_) | Law::CentralGravity(_) | Law::Lorentz(_) | Law::Ground(_))
+        self.acts() == Acts::OnPoints
     }
 
     /// Whether the point form needs the direction of the body axes.
     pub fn needs_axes(&self) -> bool {
-        matches!(self, Law::Torque(Torque { axes: TorqueAxes::Body, .. }) | Law::Dipole(_))
+        let in_body_axes = |(parameter, argument): (&Parameter, Argument<T>)| {
+            matches!(argument, Argument::Vector(_)) && self.in_body_axes(parameter)
+        };
+        self.arguments().into_iter().any(in_body_axes)
+    }
+
+    /// Whether a parameter is a vector in body axes.
+    pub(crate) fn in_body_axes(&self, parameter: &Parameter) -> bool {
+        let stated = || self.arguments().iter().any(|(_, a)| *a == Argument::Axes(TorqueAxes::Body));
+        match parameter.nature {
+            Nature::Body(_) => true,
+            Nature::Stated(_) => stated(),
+            _ => false,
+        }
+    }
+
+    fn markers(&self) -> impl Iterator<Item = Vector3<T>> {
+        self.arguments().into_iter().filter_map(|(_, argument)| match argument {
+            Argument::Attachment(Attachment::At(position)) => Some(position),
+            _ => None,
+        })
     }
 }
 
@@ -129,25 +274,11 @@ pub struct Forces<T: Real = f64> {
     markers: Vec<Vector3<T>>,
 }
 
-/// A law with its sums over the points taken, in principal axes.
-#[derive(Clone, Debug)]
-enum Reduced<T: Real = f64> {
-    Gravity(gravity::Reduced<T>),
-    Spring(spring::Reduced<T>),
-    Drag(drag::Reduced<T>),
-    CentralGravity(central_gravity::Reduced<T>),
-    Lorentz(lorentz::Reduced<T>),
-    Torque(torque::Reduced<T>),
-    Dipole(dipole::Reduced<T>),
-    GravityGradient(gravity_gradient::Reduced<T>),
-    Ground(ground::Reduced<T>),
-}
-
 impl<T: Real> Forces<T> {
     /// Binds laws to a body. The caller has checked that indices and lists fit the body's points.
     pub fn new(laws: Vec<Law<T>>, body: &Body<T>) -> Forces<T> {
-        let reduced = laws.iter().map(|law| reduce(law, body)).collect();
-        let markers = laws.iter().filter_map(Law::marker).collect();
+        let reduced = laws.iter().map(|law| law.reduce(body)).collect();
+        let markers = laws.iter().flat_map(Law::markers).collect();
         Forces { laws, reduced, markers }
     }
 
@@ -165,17 +296,7 @@ impl<T: Real> Forces<T> {
     pub fn load(&self, t: T, pose: &Pose<T>) -> Load<T> {
         let mut load = Load::default();
         for law in &self.reduced {
-            match law {
-                Reduced::Gravity(law) => law.add(pose, &mut load),
-                Reduced::Spring(law) => law.add(pose, &mut load),
-                Reduced::Drag(law) => law.add(pose, &mut load),
-                Reduced::CentralGravity(law) => law.add(pose, &mut load),
-                Reduced::Lorentz(law) => law.add(t, pose, &mut load),
-                Reduced::Torque(law) => law.add(t, pose, &mut load),
-                Reduced::Dipole(law) => law.add(pose, &mut load),
-                Reduced::GravityGradient(law) => law.add(t, pose, &mut load),
-                Reduced::Ground(law) => law.add(pose, &mut load),
-            }
+            law.add(t, pose, &mut load);
         }
         load
     }
@@ -185,26 +306,7 @@ impl<T: Real> Forces<T> {
         let mut load = Load::default();
         let mut marker = cloud.masses.len();
         for law in &self.laws {
-            match law {
-                Law::Gravity(law) => law.add_on_points(cloud, &mut load),
-                Law::Spring(law) => {
-                    let index = law.arm_index(&mut marker);
-                    let arm = cloud.arms.at(index);
-                    load.push(
-                        &cloud.levers.at(index),
-                        &law.force(&(cloud.origin + arm), &cloud.velocity_at(&arm)),
-                    );
-                }
-                Law::Drag(law) => each_point(cloud, &mut load, |k, _, u| law.force(k, u)),
-                Law::CentralGravity(law) => {
-                    each_point(cloud, &mut load, |k, x, _| law.force(cloud.masses[k], x));
-                }
-                Law::Lorentz(law) => each_point(cloud, &mut load, |k, _, u| law.force(t, k, u)),
-                Law::Ground(law) => each_point(cloud, &mut load, |_, x, u| law.force(x, u)),
-                Law::Torque(law) => load.torque += law.torque(t, &cloud.axes),
-                Law::Dipole(law) => load.torque += law.torque(&cloud.axes),
-                Law::GravityGradient(law) => load.torque += law.torque(t, &cloud.inertia),
-            }
+            law.add_on_points(t, cloud, &mut marker, &mut load);
         }
         load
     }
@@ -212,93 +314,27 @@ impl<T: Real> Forces<T> {
     /// Potential energy [J]; `None` where a law has no potential.
     pub fn potential(&self, cloud: &Cloud<T>) -> Option<T> {
         let mut marker = cloud.masses.len();
-        let mut total = T::zero();
-        for law in &self.laws {
-            total += match law {
-                Law::Gravity(law) => law.potential(cloud),
-                Law::Spring(law) => {
-                    law.potential(&(cloud.origin + cloud.arms.at(law.arm_index(&mut marker))))
-                }
-                Law::CentralGravity(law) => sum_points(cloud, |k, x| law.potential(cloud.masses[k], x)),
-                Law::Lorentz(law) if law.is_static() => sum_points(cloud, |k, x| law.potential(k, x)),
-                Law::Dipole(law) => law.potential(&cloud.axes),
-                Law::GravityGradient(law) if law.rate == 0.0 => law.potential(&cloud.inertia),
-                Law::Ground(law) => sum_points(cloud, |_, x| law.potential(x)),
-                Law::Drag(_) | Law::Torque(_) | Law::Lorentz(_) | Law::GravityGradient(_) => return None,
-            };
-        }
-        Some(total)
+        self.laws.iter().try_fold(T::zero(), |total, law| Some(total + law.potential(cloud, &mut marker)?))
     }
 
     /// Whether a force depends on a velocity.
     pub fn read_velocity(&self) -> bool {
-        self.laws.iter().any(|law| match law {
-            Law::Drag(_) => true,
-            Law::Spring(spring) => spring.damping != 0.0,
-            Law::Lorentz(lorentz) => lorentz.magnetic.amax() != 0.0,
-            Law::Ground(ground) => ground.damping != 0.0 || ground.friction != 0.0,
-            Law::Gravity(_) | Law::CentralGravity(_) | Law::Torque(_) => false,
-            Law::Dipole(_) | Law::GravityGradient(_) => false,
-        })
+        self.laws.iter().any(Law::reads_velocity)
     }
 
     /// Whether a law depends on time by itself.
     pub fn read_time(&self) -> bool {
-        self.laws.iter().any(|law| match law {
-            Law::Lorentz(lorentz) => !lorentz.is_static(),
-            Law::Torque(torque) => {
-                torque.frequency != 0.0 && (torque.cosine.amax() != 0.0 || torque.sine.amax() != 0.0)
-            }
-            Law::GravityGradient(gradient) => gradient.rate != 0.0,
-            Law::Gravity(_) | Law::Spring(_) | Law::Drag(_) => false,
-            Law::CentralGravity(_) | Law::Dipole(_) | Law::Ground(_) => false,
-        })
+        self.laws.iter().any(|law| law.clock() != 0.0)
     }
 
     /// The fastest that a law goes round by itself [rad/s]; 0 where none reads the time.
     pub fn fastest_clock(&self) -> T {
-        let rate = |law: &Law<T>| match law {
-            Law::Lorentz(lorentz) if !lorentz.is_static() => lorentz.frequency,
-            Law::Torque(torque) => torque.frequency,
-            Law::GravityGradient(gradient) => gradient.rate,
-            _ => T::zero(),
-        };
-        self.laws.iter().map(|law| rate(law).abs()).fold(T::zero(), T::max)
+        self.laws.iter().map(|law| law.clock().abs()).fold(T::zero(), T::max)
     }
 
     /// Whether every law conserves the total energy.
     pub fn conservative(&self) -> bool {
-        self.laws.iter().all(|law| match law {
-            Law::Gravity(_) | Law::CentralGravity(_) | Law::Dipole(_) => true,
-            Law::Spring(spring) => spring.damping == 0.0,
-            Law::Lorentz(lorentz) => lorentz.is_static(),
-            Law::GravityGradient(gradient) => gradient.rate == 0.0,
-            Law::Ground(ground) => ground.damping == 0.0 && ground.friction == 0.0,
-            Law::Drag(_) | Law::Torque(_) => false,
-        })
-    }
-}
-
-impl<T: Real> Law<T> {
-    fn marker(&self) -> Option<Vector3<T>> {
-        match self {
-            Law::Spring(Spring { attachment: Attachment::At(position), .. }) => Some(*position),
-            _ => None,
-        }
-    }
-}
-
-fn reduce<T: Real>(law: &Law<T>, body: &Body<T>) -> Reduced<T> {
-    match law {
-        Law::Gravity(law) => Reduced::Gravity(law.reduce(body)),
-        Law::Spring(law) => Reduced::Spring(law.reduce(body)),
-        Law::Drag(law) => Reduced::Drag(law.reduce(body)),
-        Law::CentralGravity(law) => Reduced::CentralGravity(law.reduce(body)),
-        Law::Lorentz(law) => Reduced::Lorentz(law.reduce(body)),
-        Law::Torque(law) => Reduced::Torque(law.reduce(body)),
-        Law::Dipole(law) => Reduced::Dipole(law.reduce(body)),
-        Law::GravityGradient(law) => Reduced::GravityGradient(law.reduce(body)),
-        Law::Ground(law) => Reduced::Ground(law.reduce(body)),
+        self.laws.iter().all(Law::conserves)
     }
 }
 

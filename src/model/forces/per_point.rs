@@ -12,14 +12,6 @@ pub enum PerPoint<T: Real = f64> {
 }
 
 impl<T: Real> PerPoint<T> {
-    /// The same values in this arithmetic.
-    pub(super) fn of(values: &PerPoint) -> PerPoint<T> {
-        match values {
-            PerPoint::Same(value) => PerPoint::Same(T::of(*value)),
-            PerPoint::Each(values) => PerPoint::Each(values.iter().map(|value| T::of(*value)).collect()),
-        }
-    }
-
     /// The value of point `index`.
     #[inline]
     pub fn at(&self, index: usize) -> T {

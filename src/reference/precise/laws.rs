@@ -53,7 +53,8 @@ pub(super) fn rate(law: &Law) -> DoubleDouble {
         Law::Lorentz(lorentz) if !lorentz.is_static() => lorentz.frequency.into(),
         Law::Torque(torque) => torque.frequency.into(),
         Law::GravityGradient(gradient) => length(&gradient.normal) * gradient.rate.into(),
-        _ => DoubleDouble::ZERO,
+        Law::Gravity(_) | Law::Spring(_) | Law::Drag(_) | Law::CentralGravity(_) => DoubleDouble::ZERO,
+        Law::Lorentz(_) | Law::Dipole(_) | Law::Ground(_) => DoubleDouble::ZERO,
     }
 }
 

@@ -5,8 +5,8 @@ use std::fmt::Write;
 use nalgebra::{Matrix3, Vector3};
 
 use super::Units;
-use super::draw::Draw;
 use crate::model::body::{Body, MassPoint, Shape};
+use crate::model::forces::draw::Draw;
 use crate::rotation::{self, Rotation};
 
 /// Most mass points.
@@ -58,16 +58,9 @@ impl Drawn {
         }
     }
 
-    /// The points as the scene has them; those that stand for the body where it is given by its inertia.
-    pub fn points(&self) -> &[MassPoint] {
-        &self.body.points
-    }
-
-    /// A place in the frame of the scene, near a mass point; on its line for a rod.
-    pub fn place(&self, draw: &mut Draw) -> Vector3<f64> {
-        let point = self.body.points[draw.below(self.body.points.len())].position * draw.between(0.5, 1.5);
-        let place = self.pivot.unwrap_or_else(|| self.center()) + point;
-        if self.body.shape == Shape::Extended { place.map(|x| draw.number(x)) } else { place }
+    /// The origin of the body, in the frame of the points.
+    pub fn origin(&self) -> Vector3<f64> {
+        self.pivot.unwrap_or_else(|| self.center())
     }
 
     /// The centre of mass, in the frame of the points.

@@ -5,12 +5,11 @@
 //! numbers of ten binary digits and units that are powers of two.
 
 mod bodies;
-mod draw;
 mod laws;
 
 use super::{Scene, SceneError};
+use crate::model::forces::draw::{Draw, Surroundings};
 use bodies::Drawn;
-use draw::Draw;
 
 /// Radians that the fastest motion of a scene turns through, at least and at most.
 const RADIANS: (f64, f64) = (3.0, 60.0);
@@ -55,7 +54,14 @@ pub fn text(seed: u64, number: u64) -> String {
     let units = Units::draw(&mut draw);
     let body = Drawn::draw(&mut draw);
     let start = body.start(&mut draw);
-    let forces = laws::draw(&mut draw, &body, &start);
+    let around = Surroundings {
+        body: &body.body,
+        origin: body.origin(),
+        position: start.position.unwrap_or_default(),
+        velocity: start.velocity,
+        radians: RADIANS.1,
+    };
+    let forces = laws::draw(&mut draw, &around);
     let fastest = forces.rate + start.rate;
     let radians = draw.logarithmic(RADIANS.0, RADIANS.1);
     let duration = draw.number(radians / fastest.max(1e-3)) * units.time;

@@ -8,7 +8,6 @@ use super::Member;
 use super::lanes::{self, Lane};
 use crate::arithmetic::Registers;
 use crate::interrupt;
-use crate::model::forces::Law;
 use crate::model::{AnyModel, Free, Rotor, Snapshot, System, Turning};
 use crate::rotation::Rotation;
 use crate::schemes::SideBySide;
@@ -29,9 +28,9 @@ impl Body {
     pub(super) fn of(system: &System) -> Option<Body> {
         match (system.least(), system.forces.laws()) {
             (AnyModel::Free(model), _) => Some(Body::Free(model)),
-            (AnyModel::Pivot(model), [Law::Gravity(gravity)]) => {
+            (AnyModel::Pivot(model), [law]) => {
                 let center = system.body.principal.inverse() * system.body.center;
-                Some(Body::Top(model, gravity.acceleration * system.body.mass, center))
+                Some(Body::Top(model, law.uniform_acceleration()? * system.body.mass, center))
             }
             _ => None,
         }

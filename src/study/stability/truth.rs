@@ -190,10 +190,5 @@ pub(super) fn axis_parts(system: &System, state: &Snapshot) -> Vector3<f64> {
 fn driven(system: &System, first: &Snapshot) -> bool {
     // Without a potential, what a fall goes on to win cannot be told from what a scheme adds.
     let untold = system.potential_energy(first).is_none();
-    untold
-        || system.forces.laws().iter().any(|law| match law {
-            Law::Torque(_) | Law::Lorentz(_) => true,
-            Law::GravityGradient(law) => law.rate != 0.0,
-            _ => false,
-        })
+    untold || system.forces.laws().iter().any(Law::drives)
 }

@@ -6,10 +6,12 @@
 
 use toml::{Table, Value};
 
+use crate::model::forces::{Law, Parameter};
+
 /// Factor of every length of the body.
 const SCALE: &str = "body.scale";
-/// Keys that hold a whole number and not a quantity.
-const COUNTS: &[&str] = &["point"];
+/// A key that holds a whole number and not a quantity.
+const INDEX: &str = Parameter::PLACES[0];
 
 /// A scene file as it stands, open to changes.
 #[derive(Clone, Debug)]
@@ -18,12 +20,16 @@ pub struct SceneText {
 }
 
 impl SceneText {
-    /// Opens the text of a scene file; `None` where it is not TOML, which reading it as a scene tells better.
+    /// Opens the text of a scene file, with every default of its laws filled in; `None` where it is not TOML, which reading it as a scene tells better.
     pub fn open(text: &str) -> Option<SceneText> {
-        text.parse().ok().map(|table| SceneText { table })
+        let mut table: Table = text.parse().ok()?;
+        if let Some(Value::Array(laws)) = table.get_mut("forces") {
+            laws.iter_mut().filter_map(Value::as_table_mut).for_each(fill);
+        }
+        Some(SceneText { table })
     }
 
-    /// The keys of every number in the file, and `body.scale`.
+    /// The keys of every number in the file and of every parameter of its laws, and `body.scale`.
     pub fn keys(&self) -> Vec<String> {
         let mut keys = Vec::new();
         for (key, value) in &self.table {
@@ -67,10 +73,22 @@ impl SceneText {
     }
 }
 
+/// Gives a law the defaults of the parameters that its scene does not give.
+fn fill(entry: &mut Table) {
+    let name = entry.get("law").and_then(Value::as_str);
+    let Some(law) = Law::ALL.iter().find(|law| Some(law.name) == name) else { return };
+    for parameter in law.parameters {
+        let line = parameter.default.as_ref().map(|default| format!("{} = {default}", parameter.key));
+        for (key, value) in line.and_then(|line| line.parse::<Table>().ok()).into_iter().flatten() {
+            entry.entry(key).or_insert(value);
+        }
+    }
+}
+
 fn collect(path: String, value: &Value, keys: &mut Vec<String>) {
-    let is_count = path.rsplit('.').next().is_some_and(|last| COUNTS.contains(&last));
+    let is_index = path.rsplit('.').next() == Some(INDEX);
     match value {
-        Value::Integer(_) | Value::Float(_) if !is_count => keys.push(path),
+        Value::Integer(_) | Value::Float(_) if !is_index => keys.push(path),
         Value::Array(items) => {
             items.iter().enumerate().for_each(|(index, item)| collect(format!("{path}.{index}"), item, keys));
         }
@@ -103,7 +121,7 @@ fn assign(value: &mut Value, path: &[&str], number: f64) -> bool {
             .ok()
             .and_then(|index| items.get_mut(index))
             .is_some_and(|item| assign(item, rest, number)),
-        Value::Table(_) if COUNTS.contains(first) => false,
+        Value::Table(_) if *first == INDEX => false,
         Value::Table(entries) => entries.get_mut(*first).is_some_and(|entry| assign(entry, rest, number)),
         _ => false,
     }
@@ -121,6 +139,7 @@ fn multiply(value: &mut Value, factor: f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::forces::Kind;
 
     const TEXT: &str = "name = \"a\"\nduration = 2\n[body]\npoints = [{ mass = 1, position = [1, 0, 0.5] }]\n\
                         [[forces]]\nlaw = \"spring\"\npoint = 0\nanchor = [0, 0, 0]\nstiffness = 4.0\n";
@@ -160,5 +179,24 @@ mod tests {
         let mut scene = SceneText::open(inertia).expect("TOML");
         assert!(scene.set(SCALE, 2.0));
         assert!(scene.text().contains("inertia = [4.0, 8.0, 10.0]") && scene.text().contains("mass = 2.0"));
+    }
+
+    #[test]
+    fn every_parameter_of_every_law_has_a_key() {
+        for law in &Law::ALL {
+            let required = law.parameters.iter().filter(|p| p.default.is_none());
+            let lines = required.map(|p| format!("{} = {}\n", p.key_of(&p.example), p.example));
+            let text = format!("[body]\n[[forces]]\nlaw = \"{}\"\n{}", law.name, lines.collect::<String>());
+            let keys = SceneText::open(&text).expect("TOML").keys();
+            for parameter in law.parameters {
+                let path = format!("forces.0.{}", parameter.key);
+                let path = match parameter.kind {
+                    Kind::Number | Kind::PerPoint => path,
+                    Kind::Vector => format!("{path}.2"),
+                    Kind::Attachment | Kind::Axes => continue,
+                };
+                assert!(keys.contains(&path), "{path} of {} in {keys:?}", law.name);
+            }
+        }
     }
 }

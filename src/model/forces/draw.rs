@@ -2,11 +2,14 @@
 
 use nalgebra::Vector3;
 
+use crate::model::body::{Body, Shape};
+
 /// Binary digits of the numbers of a dyadic scene.
 const DIGITS: i32 = 10;
 
 /// A stream of numbers: SplitMix64, Steele, Lea and Flood 2014.
-pub(super) struct Draw {
+#[derive(Debug)]
+pub(crate) struct Draw {
     state: u64,
     /// Whether numbers have ten binary digits.
     pub dyadic: bool,
@@ -74,5 +77,41 @@ impl Draw {
                 return (within * (length / norm)).map(|x| self.number(x));
             }
         }
+    }
+}
+
+/// A unit body and its start, for which laws are drawn: with a rate of about one they change its motion.
+#[derive(Debug)]
+pub(crate) struct Surroundings<'a> {
+    /// The body.
+    pub body: &'a Body,
+    /// The origin of the body, in the frame of the scene's points.
+    pub origin: Vector3<f64>,
+    /// Where the centre of mass starts.
+    pub position: Vector3<f64>,
+    /// How it starts to move, where it does.
+    pub velocity: Option<Vector3<f64>>,
+    /// Radians that the fastest motion turns through, at most.
+    pub radians: f64,
+}
+
+impl Surroundings<'_> {
+    /// A place in the frame of the scene, near a mass point; on its line for a rod.
+    pub fn place(&self, draw: &mut Draw) -> Vector3<f64> {
+        let points = &self.body.points;
+        let place = self.origin + points[draw.below(points.len())].position * draw.between(0.5, 1.5);
+        if self.body.shape == Shape::Extended { place.map(|x| draw.number(x)) } else { place }
+    }
+
+    /// A moment of inertia between the smallest that is not zero and the largest, and that smallest one; `None` where nothing turns.
+    pub fn moments(&self) -> Option<(f64, f64)> {
+        let moments = self.body.moments;
+        let smallest = moments.iter().copied().filter(|m| *m > 0.0).fold(f64::INFINITY, f64::min);
+        smallest.is_finite().then(|| ((smallest * moments.max()).sqrt(), smallest))
+    }
+
+    /// The direction of a rod.
+    pub fn rod(&self) -> Option<Vector3<f64>> {
+        if let Shape::Rod { direction } = self.body.shape { Some(direction) } else { None }
     }
 }
