@@ -6,13 +6,14 @@ use std::path::{Path, PathBuf};
 use crate::sources::{self, File};
 
 /// Files of `src/schemes` that are no scheme: what schemes share, cards, and solvers that choose their steps.
-const NO_SCHEME: [&str; 14] = [
+const NO_SCHEME: [&str; 15] = [
     "accelerations",
     "adaptive",
     "card",
     "cayley",
     "collocation",
     "composed",
+    "families",
     "iteration",
     "multipliers",
     "preprocessing",
