@@ -28,11 +28,12 @@ fn judge_world(evidence: &Evidence, world: &OtherWorld) -> Verdict {
     } else {
         (Ruling::Fail, String::new())
     };
+    let arithmetic = if world.double_double { " in double-double" } else { "" };
     let detail = if difference == 0.0 {
-        "equal to the last bit".to_owned()
+        format!("equal to the last bit{arithmetic}")
     } else {
         format!(
-            "{} differs by {difference:.2e} {}, {} of its rounding; at most {bound}{named}",
+            "{} differs by {difference:.2e} {}{arithmetic}, {} of its rounding; at most {bound}{named}",
             quantity.name(),
             quantity.unit(),
             times(of_rounding)

@@ -9,7 +9,7 @@ use crate::record::{ClaimName, Evidence, PointRun, Ruling, Verdict, length};
 /// Relative change of L that n steps of the point form may leave: the rounding of L + h τ in each, and that of
 /// Σ X̃_k × F_k.
 fn momentum_rounding(points: &PointRun) -> f64 {
-    f64::EPSILON * (8.0 + 4.0 * (points.steps as f64).sqrt()) + points.torque_rounding
+    points.unit * (8.0 + 4.0 * (points.steps as f64).sqrt()) + points.torque_rounding
 }
 
 pub(super) fn judge(evidence: &Evidence, quantity: Quantity, when: When) -> Vec<Verdict> {

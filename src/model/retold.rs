@@ -3,17 +3,18 @@
 
 use nalgebra::Vector3;
 
-use super::body::{Body, MassPoint, Shape, second_moment_inertia};
+use super::System;
+use super::body::{MassPoint, Shape};
 use super::forces::{Argument, Attachment, Forces, Law, PerPoint};
-use super::{Spin, System};
+use crate::arithmetic::Real;
 use crate::rotation::Rotation;
 
 /// 2π (1 − 1/φ) [rad].
 const GOLDEN_ANGLE: f64 = 2.399_963_229_728_653;
 
 /// The points in reverse order; `None` for fewer than two.
-pub fn permuted(system: &System) -> Option<System> {
-    let points: Vec<MassPoint> = system.body.points.iter().rev().copied().collect();
+pub fn permuted<T: Real>(system: &System<T>) -> Option<System<T>> {
+    let points: Vec<MassPoint<T>> = system.body.points.iter().rev().copied().collect();
     let last = points.len().checked_sub(1).filter(|last| *last > 0)?;
     let laws = arguments_changed(system, |argument| match argument {
         Argument::PerPoint(PerPoint::Each(mut values)) => {
@@ -25,23 +26,23 @@ pub fn permuted(system: &System) -> Option<System> {
         }
         other => other,
     });
-    of_points(system, &points, laws)
+    Some(system.with_body(system.body.made_of(points), laws))
 }
 
 /// The heaviest point as two halves in its place; `None` without points, and over a ground, which bears on points whatever their
 /// mass.
-pub fn split(system: &System) -> Option<System> {
+pub fn split<T: Real>(system: &System<T>) -> Option<System<T>> {
     let mut points = system.body.points.clone();
-    let heaviest = (0..points.len()).max_by(|a, b| points[*a].mass.total_cmp(&points[*b].mass))?;
+    let heaviest = (0..points.len()).reduce(|a, b| if points[b].mass > points[a].mass { b } else { a })?;
     if !system.forces.laws().iter().all(Law::splits) {
         return None;
     }
     let count = points.len();
-    points[heaviest].mass *= 0.5;
+    points[heaviest].mass = points[heaviest].mass / 2.0;
     points.push(points[heaviest]);
-    let halved = |values: &PerPoint| {
-        let mut values: Vec<f64> = (0..count).map(|index| values.at(index)).collect();
-        values[heaviest] *= 0.5;
+    let halved = |values: &PerPoint<T>| {
+        let mut values: Vec<T> = (0..count).map(|index| values.at(index)).collect();
+        values[heaviest] = values[heaviest] / 2.0;
         values.push(values[heaviest]);
         PerPoint::Each(values)
     };
@@ -49,10 +50,11 @@ pub fn split(system: &System) -> Option<System> {
         Argument::PerPoint(values) => Argument::PerPoint(halved(&values)),
         other => other,
     });
-    of_points(system, &points, laws)
+    Some(system.with_body(system.body.made_of(points), laws))
 }
 
 /// Every point moved by a part of the body's extent, each in another direction and in as many ways as asked for; `None` without points.
+/// The centre of mass of a free body stays where it is.
 pub fn moved(system: &System, part: f64, way: usize) -> Option<System> {
     let mut points = system.body.points.clone();
     let size = part * system.body.extent();
@@ -62,11 +64,17 @@ pub fn moved(system: &System, part: f64, way: usize) -> Option<System> {
         let (sine, cosine) = (turn + height).sin_cos();
         point.position += Vector3::new(cosine, sine, height.sin()) * size;
     }
-    of_points(system, &points, system.forces.laws().to_vec())
+    if !system.body.pivoted {
+        let mass: f64 = points.iter().map(|p| p.mass).sum();
+        let center = points.iter().map(|p| p.position * (p.mass / mass)).sum::<Vector3<f64>>();
+        points.iter_mut().for_each(|point| point.position -= center);
+    }
+    let laws = system.forces.laws().to_vec();
+    (!points.is_empty()).then(|| system.with_body(system.body.made_of(points), laws))
 }
 
 /// Mass and inertia in place of the points; `None` where a law acts on every point.
-pub fn by_inertia(system: &System) -> Option<System> {
+pub fn by_inertia<T: Real>(system: &System<T>) -> Option<System<T>> {
     let body = &system.body;
     if body.points.is_empty() || system.forces.laws().iter().any(Law::needs_points) {
         return None;
@@ -77,10 +85,7 @@ pub fn by_inertia(system: &System) -> Option<System> {
         }
         other => other,
     });
-    let about_center = body.inertia - second_moment_inertia(&body.center) * body.mass;
-    let pivot = body.pivoted.then_some(-body.center);
-    let told = Body::from_inertia(body.mass, about_center, pivot, false).ok()?;
-    started(system, told, laws)
+    Some(system.with_body(body.made_of_fewest(), laws))
 }
 
 /// The same body in other body axes, turned by Q = `turn`: x' = Q x, I' = Q I Qᵀ, R' = R Qᵀ. Everything in world axes
@@ -110,28 +115,9 @@ pub fn in_axes(system: &System, turn: &Rotation) -> System {
 }
 
 /// The laws of a system with their arguments changed.
-fn arguments_changed(system: &System, change: impl Fn(Argument) -> Argument) -> Vec<Law> {
+fn arguments_changed<T: Real>(
+    system: &System<T>,
+    change: impl Fn(Argument<T>) -> Argument<T>,
+) -> Vec<Law<T>> {
     system.forces.laws().iter().map(|law| law.map(|_, argument| change(argument))).collect()
-}
-
-/// The points stand about the body's origin already: a pivot is there, and a free body's centre of mass to rounding.
-fn of_points(system: &System, points: &[MassPoint], laws: Vec<Law>) -> Option<System> {
-    let pivot = system.body.pivoted.then(Vector3::zeros);
-    let (body, _) = Body::from_points(points, pivot).ok()?;
-    started(system, body, laws)
-}
-
-fn started(system: &System, mut body: Body, laws: Vec<Law>) -> Option<System> {
-    let start = system.start;
-    let spin = Spin::Momentum(start.angular_momentum);
-    // A body that rounding has given another shape is another body.
-    if std::mem::discriminant(&body.shape) != std::mem::discriminant(&system.body.shape) {
-        return None;
-    }
-    // Which principal axes a body has, and in which order, is for who tells it to choose; splittings go by them.
-    let axes = system.body.principal.to_rotation_matrix().into_inner();
-    let moments = (axes.transpose() * body.inertia * axes).diagonal();
-    body.principal = system.body.principal;
-    body.moments = moments.zip_map(&system.body.moments, |told, own| if own == 0.0 { 0.0 } else { told });
-    System::new(body, laws, start.position, start.orientation, start.velocity, spin).ok()
 }

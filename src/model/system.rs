@@ -141,17 +141,31 @@ impl<T: Real> System<T> {
         let laws = given.forces.laws().iter().map(Law::of).collect();
         let forces = Forces::new(laws, &body);
         let mut system = System { body, forces, start };
-        if system.body.pivoted {
-            let start = &mut system.start;
-            let arm = start.orientation * system.body.center;
-            let momentum = start.orientation.inverse_transform_vector(&start.angular_momentum);
-            start.position = origin + arm;
-            start.velocity = (start.orientation * (system.body.inverse_inertia() * momentum)).cross(&arm);
-        }
+        system.hold(&origin);
         if !system.holds(given) {
             return Err(SystemError::Range { arithmetic: T::NAME });
         }
         Ok(system)
+    }
+
+    /// The same start with another body and laws; a pivot stays in its place.
+    pub(crate) fn with_body(&self, body: Body<T>, laws: Vec<Law<T>>) -> System<T> {
+        let forces = Forces::new(laws, &body);
+        let mut system = System { body, forces, start: self.start };
+        system.hold(&self.origin());
+        system
+    }
+
+    /// Position and velocity of the centre of mass, where a pivot at this place has a say in them.
+    fn hold(&mut self, pivot: &Vector3<T>) {
+        if !self.body.pivoted {
+            return;
+        }
+        let start = &mut self.start;
+        let arm = start.orientation * self.body.center;
+        let momentum = start.orientation.inverse_transform_vector(&start.angular_momentum);
+        start.position = pivot + arm;
+        start.velocity = (start.orientation * (self.body.inverse_inertia() * momentum)).cross(&arm);
     }
 
     /// Whether mass, moments and L are numbers of this arithmetic that are zero only where those of the f64 system are.

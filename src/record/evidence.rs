@@ -254,6 +254,8 @@ pub struct PointRun {
     pub step: f64,
     /// Steps taken.
     pub steps: u64,
+    /// Unit in the last place of the arithmetic that the runs are in, relative.
+    pub unit: f64,
     /// Largest difference from the least model over the run, each quantity over its own scale.
     #[serde(with = "or_infinite")]
     pub difference: f64,
@@ -365,6 +367,9 @@ pub struct OtherWorld {
     /// Implicit equations that were solved in the scene's own world.
     #[serde(default, skip_serializing_if = "is_nothing")]
     pub solves: u64,
+    /// Whether the runs are in double-double; in f64 otherwise.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub double_double: bool,
 }
 
 /// The reference of a scene, as the gate of references reads it.

@@ -14,6 +14,7 @@
 
 use super::families::{BALLISTIC, claims};
 use super::{Card, Step, TurningScheme};
+use crate::arithmetic::Real;
 use crate::model::{Broken, Motion, Rates, Turning};
 use crate::rotation;
 
@@ -47,9 +48,10 @@ impl TurningScheme for Cf4 {
         let k3 = body_rates(model, t + h / 2.0, stage)?;
         turn(model, early, h, &(k3 + k1 * (-1.0 / 2.0)), stage); // (3)
         let k4 = body_rates(model, t + h, stage)?;
-        let middle = (k2 + k3) * (1.0 / 6.0);
-        turn(model, from, h, &(k1 * (1.0 / 4.0) + middle + k4 * (-1.0 / 12.0)), early); // (4)
-        turn(model, early, h, &(k1 * (-1.0 / 12.0) + middle + k4 * (1.0 / 4.0)), to); // (5)
+        let [sixth, twelfth] = [6.0, 12.0].map(|parts| M::Real::ratio(1.0, parts));
+        let middle = (k2 + k3).scaled(sixth);
+        turn(model, from, h, &(k1 * (1.0 / 4.0) + middle + k4.scaled(-twelfth)), early); // (4)
+        turn(model, early, h, &(k1.scaled(-twelfth) + middle + k4 * (1.0 / 4.0)), to); // (5)
         Ok(())
     }
 }

@@ -11,7 +11,8 @@
 
 use super::families::{ROTATIONS, claims};
 use super::{Card, Scheme, Step};
-use crate::model::{Broken, Model};
+use crate::arithmetic::Real;
+use crate::model::{Broken, Model, Rates};
 
 /// Third order, three evaluations and three rotations a step.
 #[derive(Clone, Copy, Debug)]
@@ -33,12 +34,13 @@ impl Scheme for PeskinRk3 {
 
     fn step<M: Model>(&self, model: &M, Step { t, h, from, to, work }: Step<M>) -> Result<(), Broken> {
         let [third, two_thirds] = work.buffers();
+        let twelfth = M::Real::ratio(1.0, 12.0);
         let k1 = model.rates(t, from)?;
         model.advance(from, h / 3.0, &k1, third); // (1)
         let k2 = model.rates(t + h / 3.0, third)?;
         model.advance(from, h * 2.0 / 3.0, &k2, two_thirds); // (2)
         let k3 = model.rates(t + h * 2.0 / 3.0, two_thirds)?;
-        model.advance(third, h, &(k1 * (-1.0 / 12.0) + k3 * (3.0 / 4.0)), to); // (3)
+        model.advance(third, h, &(k1.scaled(-twelfth) + k3 * (3.0 / 4.0)), to); // (3)
         Ok(())
     }
 }

@@ -13,7 +13,8 @@
 
 use super::families::{ROTATIONS, claims};
 use super::{Card, Scheme, Step};
-use crate::model::{Broken, Model};
+use crate::arithmetic::Real;
+use crate::model::{Broken, Model, Rates};
 
 /// Fourth order, four evaluations and five rotations a step.
 #[derive(Clone, Copy, Debug)]
@@ -40,9 +41,10 @@ impl Scheme for PeskinRk4 {
         let k3 = model.rates(t + h / 2.0, stage)?;
         model.advance(early, h, &(k3 + k1 * (-1.0 / 2.0)), stage); // (3)
         let k4 = model.rates(t + h, stage)?;
-        let middle = (k2 + k3) * (1.0 / 6.0);
-        model.advance(from, h, &(k1 * (1.0 / 4.0) + middle + k4 * (-1.0 / 12.0)), early); // (4)
-        model.advance(early, h, &(k1 * (-1.0 / 12.0) + middle + k4 * (1.0 / 4.0)), to); // (5)
+        let [sixth, twelfth] = [6.0, 12.0].map(|parts| M::Real::ratio(1.0, parts));
+        let middle = (k2 + k3).scaled(sixth);
+        model.advance(from, h, &(k1 * (1.0 / 4.0) + middle + k4.scaled(-twelfth)), early); // (4)
+        model.advance(early, h, &(k1.scaled(-twelfth) + middle + k4 * (1.0 / 4.0)), to); // (5)
         Ok(())
     }
 }

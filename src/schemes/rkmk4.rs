@@ -42,7 +42,8 @@ impl Scheme for Rkmk4 {
         let k3 = pulled_back(h / 2.0, &k2, &model.rates(t + h / 2.0, stage)?); // (3)
         model.advance(from, h, &k3, stage);
         let k4 = pulled_back(h, &k3, &model.rates(t + h, stage)?); // (4)
-        model.advance(from, h, &((k1 + k4) * (1.0 / 6.0) + (k2 + k3) * (1.0 / 3.0)), to); // (5)
+        let [third, sixth] = [3.0, 6.0].map(|parts| M::Real::ratio(1.0, parts));
+        model.advance(from, h, &((k1 + k4).scaled(sixth) + (k2 + k3).scaled(third)), to); // (5)
         Ok(())
     }
 }

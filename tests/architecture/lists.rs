@@ -26,10 +26,9 @@ const NO_SCHEME: [&str; 15] = [
 
 /// Where laws are named one by one: their own files, the reference with its transcription, special cases that a study or a
 /// measurement is about, and defects.
-const LAWS_BY_NAME: [&str; 11] = [
+const LAWS_BY_NAME: [&str; 10] = [
     "src/campaign/scaling.rs",
     "src/measure/invariants.rs",
-    "src/measure/points.rs",
     "src/model/forces",
     "src/reference",
     "src/self_test/planted.rs",

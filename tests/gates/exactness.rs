@@ -120,8 +120,13 @@ fn the_momentum_of_the_points_may_change_by_the_rounding_of_its_sums() {
     let at = |quantity: Quantity, momentum_change: Option<f64>, torque_rounding: f64| {
         let mut made = Made::new("free-asymmetric", &[Claim::Exact(quantity, When::NoTorque)]);
         let steps = 10_000;
-        made.evidence.points =
-            Some(PointRun { steps, momentum_change, torque_rounding, ..PointRun::default() });
+        made.evidence.points = Some(PointRun {
+            steps,
+            momentum_change,
+            torque_rounding,
+            unit: f64::EPSILON,
+            ..PointRun::default()
+        });
         made
     };
     let ruling = |change, torque| -> Ruling {

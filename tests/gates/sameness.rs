@@ -94,7 +94,7 @@ fn where_roundings_turn_the_body_by_much_nothing_is_known_of_its_return() {
 /// A scheme with a run of 10,000 steps of its point form.
 fn points(scene: &str, claims: &[Claim], change: impl FnOnce(&mut PointRun)) -> Made {
     let mut made = Made::new(scene, claims);
-    let mut points = PointRun { step: 0.5, steps: 10_000, ..PointRun::default() };
+    let mut points = PointRun { step: 0.5, steps: 10_000, unit: f64::EPSILON, ..PointRun::default() };
     change(&mut points);
     made.evidence.points = Some(points);
     made
@@ -125,13 +125,16 @@ fn the_least_model_may_differ_from_the_points_by_their_roundings() {
         };
         points("free-asymmetric", &[], set).ruling(Reduction, "all")
     };
-    // 1e-12, thirty of the roundings that were measured, three of those of the torque.
-    for (rounding, torque, bound) in [(0.0, 0.0, 1e-12), (1e-12, 0.0, 31e-12), (0.0, 1e-12, 4e-12)] {
+    // 4,096 units, thirty of the roundings that were measured, three of those of the torque.
+    let least = 4096.0 * f64::EPSILON;
+    for (rounding, torque, bound) in
+        [(0.0, 0.0, least), (1e-12, 0.0, least + 30e-12), (0.0, 1e-12, least + 3e-12)]
+    {
         assert_eq!([at(bound * 0.999, rounding, torque), at(bound * 1.001, rounding, torque)], [Pass, Fail]);
     }
     let infinite = f64::INFINITY;
     assert_eq!(
-        [at(0.9e-12, 0.0, infinite), at(1.1e-12, 0.0, infinite), at(f64::NAN, 0.0, 0.0)],
+        [at(least * 0.9, 0.0, infinite), at(least * 1.1, 0.0, infinite), at(f64::NAN, 0.0, 0.0)],
         [Pass, Fail, Fail]
     );
 }

@@ -14,7 +14,30 @@ use crate::rotation::{self, Rotation};
 /// Sweeps of Jacobi's method: from axes good to f64 each squares what is left.
 const SWEEPS: usize = 4;
 
+/// Units in the last place that the inertia of a few points is off by.
+const SUMS: f64 = 64.0;
+
 impl<T: Real> Body<T> {
+    /// A body of these points, about the same origin, which differs from this one by rounding: kind and principal axes are those of this
+    /// one. Which axes a body has, and in which order, is a choice, and splittings go by them.
+    pub(crate) fn made_of(&self, points: Vec<MassPoint<T>>) -> Body<T> {
+        let mass: T = points.iter().map(|p| p.mass).sum();
+        let center = if self.pivoted { center_of(&points, mass) } else { self.center };
+        let inertia = inertia_of(&points);
+        let axes = rotation::axes(&self.principal);
+        let moments = (axes.transpose() * inertia * axes).diagonal();
+        let moments = moments.zip_map(&self.moments, |new, own| if own == 0.0 { T::zero() } else { new });
+        Body { mass, points, center, inertia, moments, ..*self }
+    }
+
+    /// The body of the fewest points with this mass, centre and inertia.
+    pub(crate) fn made_of_fewest(&self) -> Body<T> {
+        let about_center = self.inertia - second_moment_inertia(&self.center) * self.mass;
+        let points = fewest(self.mass, &about_center, &self.center);
+        let inertia = about_center + second_moment_inertia(&self.center) * self.mass;
+        Body { points, inertia, ..*self }
+    }
+
     /// The same body in this arithmetic.
     pub(crate) fn of(body: &Body) -> Body<T> {
         let given: Vec<MassPoint<T>> = body
@@ -24,11 +47,7 @@ impl<T: Real> Body<T> {
             .collect();
         let by_points = !body.points.is_empty() && inertia_of(&body.points) == body.inertia;
         let mass = if by_points { given.iter().map(|p| p.mass).sum() } else { T::of(body.mass) };
-        let center = if body.pivoted && by_points {
-            given.iter().map(|p| p.position * p.mass).sum::<Vector3<T>>() / mass
-        } else {
-            body.center.map(T::of)
-        };
+        let center = if body.pivoted && by_points { center_of(&given, mass) } else { body.center.map(T::of) };
         let inertia = if by_points { inertia_of(&given) } else { body.inertia.map(T::of) };
         let points =
             if by_points || given.is_empty() { given } else { made_for(mass, &inertia, &center, body) };
@@ -44,14 +63,26 @@ impl<T: Real> Body<T> {
     }
 }
 
-/// The fewest points with this mass and inertia.
+/// Σ M X / M [m].
+fn center_of<T: Real>(points: &[MassPoint<T>], mass: T) -> Vector3<T> {
+    points.iter().map(|p| p.position * p.mass).sum::<Vector3<T>>() / mass
+}
+
+/// As many points of this mass and inertia as the f64 body has; none where the inertia is one of so many points in f64 only.
 fn made_for<T: Real>(mass: T, inertia: &Matrix3<T>, center: &Vector3<T>, body: &Body) -> Vec<MassPoint<T>> {
     let about_center = inertia - second_moment_inertia(center) * mass;
+    let points = fewest(mass, &about_center, center);
+    let off = (inertia_of(&points) - inertia).amax();
+    let same = points.len() == body.points.len() && off <= inertia.amax() * (SUMS * T::UNIT);
+    if same { points } else { Vec::new() }
+}
+
+/// The fewest points with this mass, centre and inertia about the centre, about the origin.
+fn fewest<T: Real>(mass: T, about_center: &Matrix3<T>, center: &Vector3<T>) -> Vec<MassPoint<T>> {
     let f64_inertia = about_center.map(T::to_f64);
     let (_, axes) = super::moments::principal_axes(&((f64_inertia + f64_inertia.transpose()) * 0.5));
-    let (moments, axes) = diagonalized(&about_center, &axes);
-    let points = fewest_points(mass, &moments, &axes, &-center);
-    if points.len() == body.points.len() { points } else { Vec::new() }
+    let (moments, axes) = diagonalized(about_center, &axes);
+    fewest_points(mass, &moments, &axes, &-center)
 }
 
 /// The direction of a rod: of the point that is farthest from the origin.
