@@ -19,6 +19,8 @@ mod preprocessing;
 mod semi_implicit;
 mod splitting;
 mod substepped;
+#[cfg(feature = "solvers")]
+pub(crate) mod taylor;
 mod vector_form;
 
 // The schemes, in the order of the list.

@@ -6,31 +6,38 @@ use std::path::{Path, PathBuf};
 use crate::sources::{self, File};
 
 /// Files of `src/schemes` that are no scheme: what schemes share, cards, and solvers that choose their steps.
-const NO_SCHEME: [&str; 14] = [
+const NO_SCHEME: [&str; 20] = [
     "accelerations",
     "adaptive",
     "card",
     "cayley",
     "collocation",
     "composed",
+    "equations",
+    "families",
+    "fields",
     "iteration",
+    "loads",
     "multipliers",
     "preprocessing",
+    "pulls",
     "semi_implicit",
+    "series",
     "splitting",
     "substepped",
     "vector_form",
     "mod",
 ];
 
-/// Where laws are named one by one: their own files, the reference with its transcription, special cases that a study or a
+/// Where laws are named one by one: their own files, the reference and the Taylor series with their transcriptions, special cases that a study or a
 /// measurement is about, and defects.
-const LAWS_BY_NAME: [&str; 11] = [
+const LAWS_BY_NAME: [&str; 12] = [
     "src/campaign/scaling.rs",
     "src/measure/invariants.rs",
     "src/measure/points.rs",
     "src/model/forces",
     "src/reference",
+    "src/schemes/taylor",
     "src/self_test/planted.rs",
     "src/study/cause.rs",
     "src/study/stability/bench.rs",
