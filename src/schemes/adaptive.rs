@@ -1,4 +1,4 @@
-//! Solvers that choose their own steps, put under test beside the schemes: one of our own, and what a user gets from a library
+//! Solvers that choose their own steps, put under test beside the schemes: two of our own, and what a user gets from a library
 //! of ordinary differential equations.
 //!
 //! Those of a library are given the Euler equations of [`Equations`]; all are given a tolerance in place of a step. So that they climb the same ladder
@@ -17,7 +17,7 @@ use std::cell::RefCell;
 
 use diffsol::{NalgebraLU, OdeBuilder, OdeEquations, OdeSolverMethod, OdeSolverStopReason, Vector};
 
-use super::{Card, taylor};
+use super::{Card, dormand_prince_8, taylor};
 use crate::claim::Claim;
 use crate::interrupt;
 use crate::model::System;
@@ -47,7 +47,7 @@ pub struct Adaptive {
 
 impl Adaptive {
     /// The solvers under test.
-    pub const ALL: [Adaptive; 6] = [
+    pub const ALL: [Adaptive; 7] = [
         Adaptive {
             refusal: taylor::refusal,
             ..Adaptive::new(
@@ -71,6 +71,13 @@ impl Adaptive {
             "hairer1993",
             &[Claim::FollowsTolerance(5)],
             dop853::solve,
+        ),
+        Adaptive::new(
+            "dormand-prince-8",
+            "Dormand and Prince's order 8 in body axes, steps chosen by tolerance",
+            "hairer1993",
+            &[Claim::FollowsTolerance(5)],
+            dormand_prince_8::solve,
         ),
         Adaptive::new(
             "bdf",

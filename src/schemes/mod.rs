@@ -8,10 +8,13 @@
 mod accelerations;
 #[cfg(feature = "solvers")]
 pub(crate) mod adaptive;
+mod body_form;
 mod card;
 mod cayley;
 mod collocation;
 mod composed;
+#[cfg(feature = "solvers")]
+mod dormand_prince_8;
 mod families;
 mod iteration;
 mod multipliers;
@@ -21,6 +24,8 @@ mod splitting;
 mod substepped;
 #[cfg(feature = "solvers")]
 pub(crate) mod taylor;
+#[cfg(test)]
+mod trees;
 mod vector_form;
 
 // The schemes, in the order of the list.
@@ -50,6 +55,7 @@ mod kahan_li_6;
 mod kahan_li_8;
 mod rk4_quaternion;
 mod rk4_matrix;
+mod cooper_verner_8;
 mod semi_implicit_euler_no_gyro;
 mod semi_implicit_euler_explicit_gyro;
 mod semi_implicit_euler_implicit_gyro;
@@ -286,6 +292,7 @@ list! {
     kahan_li_8::KahanLi8,
     rk4_quaternion::Rk4Quaternion,
     rk4_matrix::Rk4Matrix,
+    cooper_verner_8::CooperVerner8,
     semi_implicit_euler_no_gyro::SemiImplicitEulerNoGyro,
     semi_implicit_euler_explicit_gyro::SemiImplicitEulerExplicitGyro,
     semi_implicit_euler_implicit_gyro::SemiImplicitEulerImplicitGyro,

@@ -6,13 +6,15 @@ use std::path::{Path, PathBuf};
 use crate::sources::{self, File};
 
 /// Files of `src/schemes` that are no scheme: what schemes share, cards, and solvers that choose their steps.
-const NO_SCHEME: [&str; 20] = [
+const NO_SCHEME: [&str; 23] = [
     "accelerations",
     "adaptive",
+    "body_form",
     "card",
     "cayley",
     "collocation",
     "composed",
+    "dormand_prince_8",
     "equations",
     "families",
     "fields",
@@ -25,6 +27,7 @@ const NO_SCHEME: [&str; 20] = [
     "series",
     "splitting",
     "substepped",
+    "trees",
     "vector_form",
     "mod",
 ];

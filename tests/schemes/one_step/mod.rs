@@ -52,6 +52,7 @@ fn expected(name: &str, n: u64) -> Expected {
         "magnus-4" => repeated(n, runge_kutta::magnus_4),
         "cf4" => repeated(n, runge_kutta::cf4),
         "rk4-quaternion" => repeated(n, runge_kutta::rk4_quaternion),
+        "cooper-verner-8" => repeated(n, runge_kutta::cooper_verner_8),
         "rk4-matrix" => repeated(n, runge_kutta::rk4_matrix),
         "buss-augmented" => repeated(n, runge_kutta::buss),
         "semi-implicit-euler-no-gyro" => repeated(n, runge_kutta::no_gyro),
