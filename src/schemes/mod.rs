@@ -53,6 +53,10 @@ mod yoshida_4;
 mod suzuki_4;
 mod kahan_li_6;
 mod kahan_li_8;
+mod strang_symmetric_6;
+mod strang_symmetric_8;
+mod exact_rotor_6;
+mod exact_rotor_8;
 mod rk4_quaternion;
 mod rk4_matrix;
 mod cooper_verner_8;
@@ -290,6 +294,10 @@ list! {
     suzuki_4::Suzuki4,
     kahan_li_6::KahanLi6,
     kahan_li_8::KahanLi8,
+    strang_symmetric_6::StrangSymmetric6,
+    strang_symmetric_8::StrangSymmetric8,
+    exact_rotor_6::ExactRotor6,
+    exact_rotor_8::ExactRotor8,
     rk4_quaternion::Rk4Quaternion,
     rk4_matrix::Rk4Matrix,
     cooper_verner_8::CooperVerner8,
