@@ -118,7 +118,7 @@ fn type_of(module: &str) -> String {
 #[test]
 fn every_scheme_file_stands_in_the_list() {
     let files = sources::of("src/schemes");
-    let module = files.iter().find(|file| file.path.ends_with("mod.rs")).expect("mod.rs");
+    let module = files.iter().find(|file| file.path.ends_with("schemes/mod.rs")).expect("mod.rs");
     let list = listed(&module.text);
     let names: BTreeSet<String> = files
         .iter()

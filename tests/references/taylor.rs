@@ -103,10 +103,10 @@ fn the_error_follows_the_tolerance_down_to_rounding_in_every_smooth_scene() {
             error(&scene, &solution, &run.states)
         });
         println!("{name:36} {}", errors.map(|e| format!("{e:.1e}")).join(" "));
-        assert!(errors[0] < 10.0 * first && errors[4] < 10.0 * last, "{name}: {errors:e?}");
+        assert!(errors[0] < 10.0 * first && errors[4] < 10.0 * last, "{name}: {errors:?}");
         // A hundredth of the tolerance makes a hundredth of the error, and a scene and its steps an eighth to a thousandth.
         for pair in errors.windows(2) {
-            assert!(pair[1] < pair[0] / 8.0 || pair[1] < 10.0 * last, "{name}: {errors:e?}");
+            assert!(pair[1] < pair[0] / 8.0 || pair[1] < 10.0 * last, "{name}: {errors:?}");
         }
     }
 }

@@ -131,17 +131,20 @@ impl<'a, const L: usize> Expansion<'a, L> {
             }
             let share = 1.0 / (k + 1) as f64;
             let products = pairs(&self.spin, k);
-            self.spin[k + 1] = std::array::from_fn(|c| {
-                (self.gyroscopic[c] * products[c] + self.inverse[c] * load.torque[c]) * share // (2)
-            });
-            let mut next = cross(&self.frame, &self.spin, k); // (1)
-            if L == MOVING {
-                for (c, next) in next.iter_mut().enumerate() {
-                    next[SPEED] += load.force[c]; // (3)
-                    next[WAY] += self.frame[k][c][SPEED]; // (4)
+            let (frame, above) = self.frame.split_at_mut(k + 1);
+            let next = &mut above[0];
+            cross(frame, &self.spin[..=k], next); // (1)
+            for c in 0..3 {
+                self.spin[k + 1][c] =
+                    (self.gyroscopic[c] * products[c] + self.inverse[c] * load.torque[c]) * share; // (2)
+                if L == MOVING {
+                    next[c][SPEED] += load.force[c]; // (3)
+                    next[c][WAY] += frame[k][c][SPEED]; // (4)
+                }
+                for lane in &mut next[c] {
+                    *lane *= share;
                 }
             }
-            self.frame[k + 1] = next.map(|lanes| lanes.map(|x| x * share));
         }
     }
 
@@ -161,7 +164,12 @@ impl<'a, const L: usize> Expansion<'a, L> {
     /// The state a time `s` after the start, the axes made orthogonal.
     fn at(&self, order: usize, s: f64) -> State {
         let frame = sum(&self.frame[..=order], s);
-        let spin = sum(&self.spin.map(|v| v.map(|x| [x]))[..=order], s).map(|[x]| x);
+        let mut spin = [0.0; 3];
+        for coefficient in self.spin[..=order].iter().rev() {
+            for (spin, coefficient) in spin.iter_mut().zip(coefficient) {
+                *spin = *spin * s + coefficient;
+            }
+        }
         let axes = Matrix3::from_fn(|row, column| frame[column][row]);
         let axes = orthogonal(&axes);
         let (mut velocity, mut origin) =

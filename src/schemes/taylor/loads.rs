@@ -113,7 +113,7 @@ pub(super) fn plus(a: &Vector, b: &Vector) -> Vector {
 
 #[inline(always)]
 pub(super) fn by(a: &Vector, factor: f64) -> Vector {
-    a.map(|x| x * factor)
+    [a[0] * factor, a[1] * factor, a[2] * factor]
 }
 
 #[inline(always)]

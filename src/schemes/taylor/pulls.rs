@@ -7,8 +7,8 @@ use super::series::{CAPACITY, Curves, Series, Vector, cross_product, norm_square
 use crate::model::body::Body;
 use crate::model::forces::{Attachment, CentralGravity, Spring};
 
-/// Points that are taken at once.
-const WIDTH: usize = 2;
+/// Points that are taken at once: a register of AVX2.
+const WIDTH: usize = 4;
 
 /// (6) of points side by side: x, w, a, b, c of each and e of all, with the series of d, |d|² and |d|ᵉ.
 #[derive(Debug)]
@@ -21,6 +21,8 @@ pub struct Pulls {
     /// e/2, and whether a factor is not zero.
     exponent: Option<f64>,
     lever: f64,
+    /// Lanes with a point of their own.
+    count: usize,
     /// w − X at the start of the step.
     ahead: [Vector; WIDTH],
     distance: Curves<WIDTH>,
@@ -74,12 +76,12 @@ impl Pulls {
         self.ahead = self.anchors.map(|anchor| (Vector3::from(anchor) - origin).into());
     }
 
-    /// All of some points; a lane without a point is the last one, with no force.
+    /// All of some points; a lane without one has the first, and no force.
     pub(super) fn all(pulls: &[Pull], exponent: f64, scales: &Scales) -> Vec<Term> {
         let together = |some: &[Pull]| {
             let lane = |lane: usize| match some.get(lane) {
                 Some(pull) => *pull,
-                None => Pull { linear: 0.0, factor: 0.0, damping: 0.0, ..some[some.len() - 1] },
+                None => Pull { linear: 0.0, factor: 0.0, damping: 0.0, ..some[0] },
             };
             let lanes: [Pull; WIDTH] = std::array::from_fn(lane);
             Term::Pulls(Box::new(Pulls {
@@ -90,6 +92,7 @@ impl Pulls {
                 damping: lanes.map(|pull| pull.damping),
                 exponent: lanes.iter().any(|pull| pull.factor != 0.0).then_some(exponent),
                 lever: scales.lever(),
+                count: some.len(),
                 ahead: [[0.0; 3]; WIDTH],
                 distance: zeros(),
                 square: [[0.0; WIDTH]; CAPACITY],
@@ -102,12 +105,16 @@ impl Pulls {
     #[inline(always)]
     pub(super) fn grow<const L: usize>(&mut self, seen: &Seen<L>, load: &mut Load) {
         let k = seen.k;
-        for lane in 0..WIDTH {
+        for lane in 0..self.count {
             let ahead = seen.in_body(&self.ahead[lane..=lane]);
-            for c in 0..3 {
+            for (c, distance) in self.distance[k].iter_mut().enumerate() {
                 let arm = if k == 0 { self.arms[lane][c] } else { 0.0 };
-                self.distance[k][c][lane] = seen.way[c] + arm - ahead[c];
+                distance[lane] = seen.way[c] + arm - ahead[c];
             }
+        }
+        for distance in &mut self.distance[k] {
+            let first = distance[0];
+            distance[self.count..].fill(first);
         }
         let mut pull = self.distance[k];
         for pull in &mut pull {
@@ -124,10 +131,10 @@ impl Pulls {
                 }
             }
         }
-        for lane in 0..WIDTH {
+        for lane in 0..self.count {
             let arm = &self.arms[lane];
             let damped = by(&seen.velocity_at(arm), -self.damping[lane]);
-            let force = plus(&pull.map(|pull| pull[lane]), &damped);
+            let force = plus(&[pull[0][lane], pull[1][lane], pull[2][lane]], &damped);
             load.add(&force, &by(&cross_product(arm, &force), self.lever)); // (6)
         }
     }

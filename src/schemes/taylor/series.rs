@@ -32,43 +32,48 @@ pub const fn zeros<const L: usize>() -> Curves<L> {
     [[[0.0; L]; 3]; CAPACITY]
 }
 
-/// Coefficient `k` of a × b, for every lane of a.
+// Sums are kept in arrays of a component each, and written once: so they stay in registers, and lanes become vectors.
+
+/// The highest coefficient of a × b, for every lane of a; both are given up to its order.
 #[inline(always)]
-pub fn cross<const L: usize>(a: &Curves<L>, b: &Curve, k: usize) -> Vectors<L> {
-    let mut sum = [[0.0; L]; 3];
-    for (a, b) in a[..=k].iter().zip(b[..=k].iter().rev()) {
-        for lane in 0..L {
-            sum[0][lane] += a[1][lane] * b[2] - a[2][lane] * b[1];
-            sum[1][lane] += a[2][lane] * b[0] - a[0][lane] * b[2];
-            sum[2][lane] += a[0][lane] * b[1] - a[1][lane] * b[0];
+pub fn cross<const L: usize>(a: &[Vectors<L>], b: &[Vector], into: &mut Vectors<L>) {
+    let (mut x, mut y, mut z) = ([0.0; L], [0.0; L], [0.0; L]);
+    for ([ax, ay, az], [bx, by, bz]) in a.iter().zip(b.iter().rev()) {
+        for ((x, ay), az) in x.iter_mut().zip(ay).zip(az) {
+            *x += ay * bz - az * by;
+        }
+        for ((y, az), ax) in y.iter_mut().zip(az).zip(ax) {
+            *y += az * bx - ax * bz;
+        }
+        for ((z, ax), ay) in z.iter_mut().zip(ax).zip(ay) {
+            *z += ax * by - ay * bx;
         }
     }
-    sum
+    *into = [x, y, z];
 }
 
 /// Coefficient `k` of a × b.
 #[inline(always)]
 pub fn cross_of_two(a: &Curve, b: &Curve, k: usize) -> Vector {
-    let mut sum = [0.0; 3];
+    let [mut x, mut y, mut z] = [0.0; 3];
     for (a, b) in a[..=k].iter().zip(b[..=k].iter().rev()) {
-        let term = cross_product(a, b);
-        for (sum, term) in sum.iter_mut().zip(term) {
-            *sum += term;
-        }
+        x += a[1] * b[2] - a[2] * b[1];
+        y += a[2] * b[0] - a[0] * b[2];
+        z += a[0] * b[1] - a[1] * b[0];
     }
-    sum
+    [x, y, z]
 }
 
 /// Coefficient `k` of (a_y a_z, a_z a_x, a_x a_y).
 #[inline(always)]
 pub fn pairs(a: &Curve, k: usize) -> Vector {
-    let mut sum = [0.0; 3];
+    let [mut x, mut y, mut z] = [0.0; 3];
     for (a, b) in a[..=k].iter().zip(a[..=k].iter().rev()) {
-        sum[0] += a[1] * b[2];
-        sum[1] += a[2] * b[0];
-        sum[2] += a[0] * b[1];
+        x += a[1] * b[2];
+        y += a[2] * b[0];
+        z += a[0] * b[1];
     }
-    sum
+    [x, y, z]
 }
 
 /// Coefficient `k` of a · a.
@@ -76,8 +81,10 @@ pub fn pairs(a: &Curve, k: usize) -> Vector {
 pub fn norm_squared<const L: usize>(a: &Curves<L>, k: usize) -> [f64; L] {
     let mut sum = [0.0; L];
     for (a, b) in a[..=k].iter().zip(a[..=k].iter().rev()) {
-        for (lane, sum) in sum.iter_mut().enumerate() {
-            *sum += a[0][lane] * b[0][lane] + a[1][lane] * b[1][lane] + a[2][lane] * b[2][lane];
+        for (a, b) in a.iter().zip(b) {
+            for ((sum, a), b) in sum.iter_mut().zip(a).zip(b) {
+                *sum += a * b;
+            }
         }
     }
     sum
@@ -86,31 +93,42 @@ pub fn norm_squared<const L: usize>(a: &Curves<L>, k: usize) -> [f64; L] {
 /// Coefficient `k` of a vector times a number.
 #[inline(always)]
 pub fn times<const L: usize>(a: &Curves<L>, b: &Series<L>, k: usize) -> Vectors<L> {
-    let mut sum = [[0.0; L]; 3];
-    for (a, b) in a[..=k].iter().zip(b[..=k].iter().rev()) {
-        for (sum, a) in sum.iter_mut().zip(a) {
-            for (lane, sum) in sum.iter_mut().enumerate() {
-                *sum += a[lane] * b[lane];
-            }
+    let (mut x, mut y, mut z) = ([0.0; L], [0.0; L], [0.0; L]);
+    for ([ax, ay, az], b) in a[..=k].iter().zip(b[..=k].iter().rev()) {
+        for ((x, ax), b) in x.iter_mut().zip(ax).zip(b) {
+            *x += ax * b;
+        }
+        for ((y, ay), b) in y.iter_mut().zip(ay).zip(b) {
+            *y += ay * b;
+        }
+        for ((z, az), b) in z.iter_mut().zip(az).zip(b) {
+            *z += az * b;
         }
     }
-    sum
+    [x, y, z]
 }
 
 /// Coefficient `k` of aᵅ (2), where `power` holds those below.
 #[inline(always)]
 pub fn power<const L: usize>(a: &Series<L>, exponent: f64, power: &Series<L>, k: usize) -> [f64; L] {
-    if k == 0 {
-        return a[0].map(|a| a.powf(exponent));
-    }
     let mut sum = [0.0; L];
-    for (j, (below, a)) in power[..k].iter().zip(a[1..=k].iter().rev()).enumerate() {
-        let weight = exponent * (k - j) as f64 - j as f64;
-        for (lane, sum) in sum.iter_mut().enumerate() {
-            *sum += weight * a[lane] * below[lane];
+    if k == 0 {
+        for (sum, a) in sum.iter_mut().zip(&a[0]) {
+            *sum = a.powf(exponent);
         }
+        return sum;
     }
-    std::array::from_fn(|lane| sum[lane] / (k as f64 * a[0][lane]))
+    let mut weight = exponent * k as f64;
+    for (below, a) in power[..k].iter().zip(a[1..=k].iter().rev()) {
+        for ((sum, a), below) in sum.iter_mut().zip(a).zip(below) {
+            *sum += weight * a * below;
+        }
+        weight -= exponent + 1.0; // α (k − j) − j
+    }
+    for (sum, a) in sum.iter_mut().zip(&a[0]) {
+        *sum /= k as f64 * a;
+    }
+    sum
 }
 
 /// c + a cos ωt + b sin ωt.
@@ -131,16 +149,21 @@ impl Sinusoid {
     pub fn expand<'a>(&self, time: f64, into: &'a mut Curve) -> &'a [Vector] {
         let Sinusoid { constant, cosine, sine, frequency } = *self;
         let (sin, cos) = (frequency * time).sin_cos();
-        let mut even: Vector = std::array::from_fn(|c| cosine[c] * cos + sine[c] * sin);
-        let mut odd: Vector = std::array::from_fn(|c| sine[c] * cos - cosine[c] * sin);
+        let [mut even, mut odd] = [[0.0; 3]; 2];
+        for c in 0..3 {
+            even[c] = cosine[c] * cos + sine[c] * sin;
+            odd[c] = sine[c] * cos - cosine[c] * sin;
+        }
         let length = if frequency == 0.0 { 1 } else { CAPACITY };
         let mut factor = 1.0;
         for (k, place) in into[..length].iter_mut().enumerate() {
             if k > 0 {
                 factor *= frequency / k as f64;
             }
-            *place = even.map(|x| x * factor);
-            (even, odd) = (odd, even.map(|x| -x));
+            // C, S, −C, −S: every second pair has the other sign.
+            let of = if k % 2 == 0 { &even } else { &odd };
+            let signed = if k % 4 < 2 { factor } else { -factor };
+            *place = [of[0] * signed, of[1] * signed, of[2] * signed];
         }
         for (place, constant) in into[0].iter_mut().zip(constant) {
             *place += constant;
@@ -199,7 +222,8 @@ mod tests {
         let mut root: Series<1> = [[0.0]; CAPACITY];
         for k in 0..CAPACITY {
             let expected = [4.0, 2.5, -3.0].map(|x| x * three[k]);
-            let (lanes, alone) = (cross(&vectors, &other, k), cross_of_two(&plain, &other, k));
+            let (mut lanes, alone) = ([[0.0; 1]; 3], cross_of_two(&plain, &other, k));
+            cross(&vectors[..=k], &other[..=k], &mut lanes);
             let product = times(&vectors, &doubles, k);
             for c in 0..3 {
                 assert!(near(lanes[c][0], expected[c]) && near(alone[c], expected[c]), "order {k}");
