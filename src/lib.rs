@@ -83,6 +83,12 @@ pub mod internals {
         pub use crate::gates::*;
     }
 
+    pub mod schemes {
+        pub mod taylor {
+            pub use crate::schemes::taylor::*;
+        }
+    }
+
     pub mod measure {
         pub use crate::measure::climb::*;
         pub use crate::measure::copies::*;

@@ -1,7 +1,7 @@
-//! Solvers that choose their own steps, put under test beside the schemes: what a user gets from a library of ordinary
-//! differential equations.
+//! Solvers that choose their own steps, put under test beside the schemes: two of our own, and what a user gets from a library
+//! of ordinary differential equations.
 //!
-//! They are given the Euler equations of [`Equations`] and a tolerance in place of a step. So that they climb the same ladder
+//! Those of a library are given the Euler equations of [`Equations`]; all are given a tolerance in place of a step. So that they climb the same ladder
 //! as everybody, a step h stands for a tolerance:
 //!
 //! ```text
@@ -11,13 +11,13 @@
 //! with τ the time unit of the scene and n one above the order of the method, five at most, so that six halvings of h stay
 //! between the bounds: the step that the error control settles at is then
 //! about in proportion to h, and so is the cost to 1/h. They claim no order in h but that the error follows the tolerance.
-//! Every stored time ends a step: nothing is interpolated.
+//! Every stored time ends a step, and nothing is interpolated, but for `taylor`, whose polynomials are as good between steps.
 
 use std::cell::RefCell;
 
 use diffsol::{NalgebraLU, OdeBuilder, OdeEquations, OdeSolverMethod, OdeSolverStopReason, Vector};
 
-use super::Card;
+use super::{Card, dormand_prince_8, taylor};
 use crate::claim::Claim;
 use crate::interrupt;
 use crate::model::System;
@@ -40,12 +40,24 @@ type Solve = fn(&System, &[f64], f64) -> Result<Run, SolverError>;
 pub struct Adaptive {
     /// What it says of itself.
     pub card: Card,
+    /// Why it cannot take a system, if it cannot.
+    pub refusal: fn(&System) -> Option<String>,
     solve: Solve,
 }
 
 impl Adaptive {
     /// The solvers under test.
-    pub const ALL: [Adaptive; 5] = [
+    pub const ALL: [Adaptive; 7] = [
+        Adaptive {
+            refusal: taylor::refusal,
+            ..Adaptive::new(
+                "taylor",
+                "Taylor series by recurrences, order and steps chosen by tolerance",
+                "jorba2005",
+                &[Claim::FollowsTolerance(5)],
+                taylor::solve,
+            )
+        },
         Adaptive::new(
             "tsit45",
             "Tsitouras' order 5, steps chosen by tolerance (diffsol)",
@@ -59,6 +71,13 @@ impl Adaptive {
             "hairer1993",
             &[Claim::FollowsTolerance(5)],
             dop853::solve,
+        ),
+        Adaptive::new(
+            "dormand-prince-8",
+            "Dormand and Prince's order 8 in body axes, steps chosen by tolerance",
+            "hairer1993",
+            &[Claim::FollowsTolerance(5)],
+            dormand_prince_8::solve,
         ),
         Adaptive::new(
             "bdf",
@@ -90,7 +109,7 @@ impl Adaptive {
         claims: &'static [Claim],
         solve: Solve,
     ) -> Adaptive {
-        Adaptive { card: Card { name, title, family: "adaptive", source, claims }, solve }
+        Adaptive { card: Card { name, title, family: "adaptive", source, claims }, refusal: |_| None, solve }
     }
 
     /// The states at increasing `times` [s], the last of which ends the run, for the tolerance that a step `h` [s] stands for.

@@ -36,9 +36,9 @@ pub(super) fn composed<M: Turning, S: TurningScheme>(
     result
 }
 
-/// Declares a composition of strang-rotations.
+/// Declares a composition of a symmetric scheme.
 macro_rules! composition {
-    ($(#[$doc:meta])* $scheme:ident, $card:expr) => {
+    ($(#[$doc:meta])* $scheme:ident of $base:ident by $half:path, $card:expr) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug)]
         pub struct $scheme;
@@ -48,16 +48,16 @@ macro_rules! composition {
                 $card
             }
 
-            const STATES: usize = $crate::schemes::StrangRotations::STATES + 1;
-            const TAKES_VELOCITY_FORCES: bool = $crate::schemes::StrangRotations::TAKES_VELOCITY_FORCES;
-            const TAKES_RODS: bool = $crate::schemes::StrangRotations::TAKES_RODS;
+            const STATES: usize = $crate::schemes::$base::STATES + 1;
+            const TAKES_VELOCITY_FORCES: bool = $crate::schemes::$base::TAKES_VELOCITY_FORCES;
+            const TAKES_RODS: bool = $crate::schemes::$base::TAKES_RODS;
 
             fn step<M: $crate::model::Turning>(
                 &self,
                 model: &M,
                 step: $crate::schemes::Step<M>,
             ) -> Result<(), $crate::model::Broken> {
-                $crate::schemes::composed::composed(&$crate::schemes::StrangRotations, &half(), model, step)
+                $crate::schemes::composed::composed(&$crate::schemes::$base, &$half(), model, step)
             }
         }
     };
@@ -66,7 +66,10 @@ pub(super) use composition;
 
 #[cfg(test)]
 mod tests {
-    use super::super::{KahanLi6, KahanLi8, Suzuki4, Yoshida4, kahan_li_6, kahan_li_8, suzuki_4, yoshida_4};
+    use super::super::{
+        ExactRotor6, ExactRotor8, KahanLi6, KahanLi8, StrangSymmetric6, StrangSymmetric8, Suzuki4, Yoshida4,
+        kahan_li_6, kahan_li_8, suzuki_4, yoshida_4,
+    };
     use super::*;
     use crate::arithmetic::DoubleDouble;
 
@@ -103,7 +106,13 @@ mod tests {
         satisfies_the_power_sums(&Yoshida4, &yoshida_4::half(), &yoshida_4::half(), 1e-30);
         satisfies_the_power_sums(&Suzuki4, &suzuki_4::half(), &suzuki_4::half(), 1e-30);
         // Twenty digits are printed.
-        satisfies_the_power_sums(&KahanLi6, &kahan_li_6::half(), &kahan_li_6::half(), 1e-19);
-        satisfies_the_power_sums(&KahanLi8, &kahan_li_8::half(), &kahan_li_8::half(), 1e-18);
+        let (six, precise) = (kahan_li_6::half(), kahan_li_6::half());
+        satisfies_the_power_sums(&KahanLi6, &six, &precise, 1e-19);
+        satisfies_the_power_sums(&StrangSymmetric6, &six, &precise, 1e-19);
+        satisfies_the_power_sums(&ExactRotor6, &six, &precise, 1e-19);
+        let (eight, precise) = (kahan_li_8::half(), kahan_li_8::half());
+        satisfies_the_power_sums(&KahanLi8, &eight, &precise, 1e-18);
+        satisfies_the_power_sums(&StrangSymmetric8, &eight, &precise, 1e-18);
+        satisfies_the_power_sums(&ExactRotor8, &eight, &precise, 1e-18);
     }
 }

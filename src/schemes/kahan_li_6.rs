@@ -11,7 +11,7 @@ use crate::arithmetic::Real;
 
 composition! {
     /// Kahan and Li's nine steps.
-    KahanLi6, Card {
+    KahanLi6 of StrangRotations by half, Card {
         name: "kahan-li-6",
         title: "Kahan and Li's nine steps of strang-rotations, order 6",
         family: "geometric",

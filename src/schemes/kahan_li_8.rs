@@ -11,7 +11,7 @@ use crate::arithmetic::Real;
 
 composition! {
     /// Kahan and Li's seventeen steps.
-    KahanLi8, Card {
+    KahanLi8 of StrangRotations by half, Card {
         name: "kahan-li-8",
         title: "Kahan and Li's seventeen steps of strang-rotations, order 8",
         family: "geometric",

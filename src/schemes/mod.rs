@@ -8,10 +8,13 @@
 mod accelerations;
 #[cfg(feature = "solvers")]
 pub(crate) mod adaptive;
+mod body_form;
 mod card;
 mod cayley;
 mod collocation;
 mod composed;
+#[cfg(feature = "solvers")]
+mod dormand_prince_8;
 mod families;
 mod iteration;
 mod multipliers;
@@ -19,6 +22,10 @@ mod preprocessing;
 mod semi_implicit;
 mod splitting;
 mod substepped;
+#[cfg(feature = "solvers")]
+pub(crate) mod taylor;
+#[cfg(test)]
+mod trees;
 mod vector_form;
 
 // The schemes, in the order of the list.
@@ -46,8 +53,13 @@ mod yoshida_4;
 mod suzuki_4;
 mod kahan_li_6;
 mod kahan_li_8;
+mod strang_symmetric_6;
+mod strang_symmetric_8;
+mod exact_rotor_6;
+mod exact_rotor_8;
 mod rk4_quaternion;
 mod rk4_matrix;
+mod cooper_verner_8;
 mod semi_implicit_euler_no_gyro;
 mod semi_implicit_euler_explicit_gyro;
 mod semi_implicit_euler_implicit_gyro;
@@ -282,8 +294,13 @@ list! {
     suzuki_4::Suzuki4,
     kahan_li_6::KahanLi6,
     kahan_li_8::KahanLi8,
+    strang_symmetric_6::StrangSymmetric6,
+    strang_symmetric_8::StrangSymmetric8,
+    exact_rotor_6::ExactRotor6,
+    exact_rotor_8::ExactRotor8,
     rk4_quaternion::Rk4Quaternion,
     rk4_matrix::Rk4Matrix,
+    cooper_verner_8::CooperVerner8,
     semi_implicit_euler_no_gyro::SemiImplicitEulerNoGyro,
     semi_implicit_euler_explicit_gyro::SemiImplicitEulerExplicitGyro,
     semi_implicit_euler_implicit_gyro::SemiImplicitEulerImplicitGyro,

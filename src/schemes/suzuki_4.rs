@@ -11,7 +11,7 @@ use crate::arithmetic::Real;
 
 composition! {
     /// Suzuki's fractal.
-    Suzuki4, Card {
+    Suzuki4 of StrangRotations by half, Card {
         name: "suzuki-4",
         title: "Suzuki's five-step composition of strang-rotations",
         family: "geometric",

@@ -11,7 +11,7 @@ use crate::arithmetic::Real;
 
 composition! {
     /// Triple jump.
-    Yoshida4, Card {
+    Yoshida4 of StrangRotations by half, Card {
         name: "yoshida-4",
         title: "Triple jump of strang-rotations",
         family: "geometric",

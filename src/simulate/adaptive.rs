@@ -9,7 +9,7 @@ use crate::schemes::adaptive::Adaptive;
 pub(super) fn contestants() -> Vec<Contestant> {
     let contestant = |solver: Adaptive| {
         let card = solver.card.clone();
-        Contestant::engine(card, |_| None, move |system, plan, store| run(&solver, system, plan, store))
+        Contestant::engine(card, solver.refusal, move |system, plan, store| run(&solver, system, plan, store))
     };
     Adaptive::ALL.map(contestant).into()
 }

@@ -13,4 +13,5 @@ mod rounding;
 mod scaling;
 mod solvers;
 mod stored;
+mod taylor;
 mod uncertainty;

@@ -29,6 +29,20 @@ pub(super) struct Reduced<T: Real = f64> {
     second: Matrix3<T>,
 }
 
+impl<T: Real> Drag<T> {
+    /// c, s and D, in principal axes.
+    pub(crate) fn sums(&self, body: &Body<T>) -> (T, Vector3<T>, Matrix3<T>) {
+        let (mut total, mut first, mut second) = (T::zero(), Vector3::zeros(), Matrix3::zeros());
+        for (k, point) in body.points.iter().enumerate() {
+            let c = self.coefficient.at(k);
+            total += c;
+            first += point.position * c;
+            second += second_moment_inertia(&point.position) * c;
+        }
+        (total, to_principal(body, &first), tensor_to_principal(body, &second))
+    }
+}
+
 impl<T: Real> ForceLaw<T> for Drag<T> {
     const NAME: &'static str = "drag";
     const FORMULA: &'static str = "F_k = -c_k U_k";
@@ -71,16 +85,8 @@ impl<T: Real> ForceLaw<T> for Drag<T> {
     }
 
     fn reduce(&self, body: &Body<T>) -> Reduced<T> {
-        let mut reduced = Reduced { total: T::zero(), first: Vector3::zeros(), second: Matrix3::zeros() };
-        for (k, point) in body.points.iter().enumerate() {
-            let c = self.coefficient.at(k);
-            reduced.total += c;
-            reduced.first += point.position * c;
-            reduced.second += second_moment_inertia(&point.position) * c;
-        }
-        reduced.first = to_principal(body, &reduced.first);
-        reduced.second = tensor_to_principal(body, &reduced.second);
-        reduced
+        let (total, first, second) = self.sums(body);
+        Reduced { total, first, second }
     }
 
     fn add_on_points(&self, _t: T, cloud: &Cloud<T>, _marker: &mut usize, load: &mut Load<T>) {

@@ -51,6 +51,18 @@ impl<T: Real> Lorentz<T> {
         (self.electric_at(t) + velocity.cross(&self.magnetic)) * self.charge.at(k)
     }
 
+    /// q, s and Q, in principal axes.
+    pub(crate) fn sums(&self, body: &Body<T>) -> (T, Vector3<T>, Matrix3<T>) {
+        let (mut total, mut first, mut second) = (T::zero(), Vector3::zeros(), Matrix3::zeros());
+        for (k, point) in body.points.iter().enumerate() {
+            let q = self.charge.at(k);
+            total += q;
+            first += point.position * q;
+            second += point.position * point.position.transpose() * q;
+        }
+        (total, to_principal(body, &first), tensor_to_principal(body, &second))
+    }
+
     /// Whether the electric field does not depend on time.
     pub fn is_static(&self) -> bool {
         self.frequency == 0.0 || (self.electric_cosine.amax() == 0.0 && self.electric_sine.amax() == 0.0)
@@ -99,15 +111,7 @@ impl<T: Real> ForceLaw<T> for Lorentz<T> {
     }
 
     fn reduce(&self, body: &Body<T>) -> Reduced<T> {
-        let (mut total, mut first, mut second) = (T::zero(), Vector3::zeros(), Matrix3::zeros());
-        for (k, point) in body.points.iter().enumerate() {
-            let q = self.charge.at(k);
-            total += q;
-            first += point.position * q;
-            second += point.position * point.position.transpose() * q;
-        }
-        let first = to_principal(body, &first);
-        let second = tensor_to_principal(body, &second);
+        let (total, first, second) = self.sums(body);
         Reduced { law: self.clone(), total, first, second }
     }
 

@@ -35,6 +35,11 @@ fn repeated(steps: u64, step: impl Fn(&State, f64) -> State) -> Expected {
     Expected::Rigid((0..steps).fold(body::start(), |state, _| step(&state, STEP)))
 }
 
+/// So many steps of a composition.
+fn composed(steps: u64, half: &[f64], step: impl Fn(&State, f64) -> State) -> Expected {
+    repeated(steps, |state, h| splittings::composed(state, h, half, &step))
+}
+
 /// An exhaustive list: a scheme that is added without a step here fails the test below.
 fn expected(name: &str, n: u64) -> Expected {
     match name {
@@ -52,6 +57,7 @@ fn expected(name: &str, n: u64) -> Expected {
         "magnus-4" => repeated(n, runge_kutta::magnus_4),
         "cf4" => repeated(n, runge_kutta::cf4),
         "rk4-quaternion" => repeated(n, runge_kutta::rk4_quaternion),
+        "cooper-verner-8" => repeated(n, runge_kutta::cooper_verner_8),
         "rk4-matrix" => repeated(n, runge_kutta::rk4_matrix),
         "buss-augmented" => repeated(n, runge_kutta::buss),
         "semi-implicit-euler-no-gyro" => repeated(n, runge_kutta::no_gyro),
@@ -93,12 +99,16 @@ fn expected(name: &str, n: u64) -> Expected {
         "no-squish" => {
             repeated(n, |s, h| splittings::kicked(s, h, |l, h| splittings::turns(l, h, [2, 1, 0])))
         }
-        "strang-symmetric" => repeated(n, |s, h| splittings::kicked(s, h, splittings::symmetric_top)),
-        "exact-rotor" => repeated(n, |s, h| splittings::kicked(s, h, splittings::free_flow)),
-        "yoshida-4" => repeated(n, |s, h| splittings::composed(s, h, &splittings::triple_jump())),
-        "suzuki-4" => repeated(n, |s, h| splittings::composed(s, h, &splittings::fractal())),
-        "kahan-li-6" => repeated(n, |s, h| splittings::composed(s, h, &splittings::KAHAN_LI_6)),
-        "kahan-li-8" => repeated(n, |s, h| splittings::composed(s, h, &splittings::KAHAN_LI_8)),
+        "strang-symmetric" => repeated(n, splittings::strang_symmetric),
+        "exact-rotor" => repeated(n, splittings::exact_rotor),
+        "yoshida-4" => composed(n, &splittings::triple_jump(), splittings::strang),
+        "suzuki-4" => composed(n, &splittings::fractal(), splittings::strang),
+        "kahan-li-6" => composed(n, &splittings::KAHAN_LI_6, splittings::strang),
+        "kahan-li-8" => composed(n, &splittings::KAHAN_LI_8, splittings::strang),
+        "strang-symmetric-6" => composed(n, &splittings::KAHAN_LI_6, splittings::strang_symmetric),
+        "strang-symmetric-8" => composed(n, &splittings::KAHAN_LI_8, splittings::strang_symmetric),
+        "exact-rotor-6" => composed(n, &splittings::KAHAN_LI_6, splittings::exact_rotor),
+        "exact-rotor-8" => composed(n, &splittings::KAHAN_LI_8, splittings::exact_rotor),
         "euler-linear" => points::euler_linear(n),
         "rk2-linear" => points::rk2_linear(n),
         "course-code-euler" => points::course_code(n),

@@ -115,6 +115,76 @@ pub fn rk4_quaternion((r, l): &State, h: f64) -> State {
     (matrix_of(&q1), l + (k1.1 + (k2.1 + k3.1) * 2.0 + k4.1) * (h / 6.0))
 }
 
+/// In body axes; the tableau as it is printed with the other sign of the root.
+pub fn cooper_verner_8((r, l): &State, h: f64) -> State {
+    let s = -21f64.sqrt();
+    let a: [Vec<f64>; 11] = [
+        vec![],
+        vec![0.5],
+        vec![0.25, 0.25],
+        vec![1.0 / 7.0, (-7.0 + 3.0 * s) / 98.0, (21.0 - 5.0 * s) / 49.0],
+        vec![(11.0 - s) / 84.0, 0.0, (18.0 - 4.0 * s) / 63.0, (21.0 + s) / 252.0],
+        vec![(5.0 - s) / 48.0, 0.0, (9.0 - s) / 36.0, (-231.0 - 14.0 * s) / 360.0, (63.0 + 7.0 * s) / 80.0],
+        vec![
+            (10.0 + s) / 42.0,
+            0.0,
+            (-432.0 - 92.0 * s) / 315.0,
+            (633.0 + 145.0 * s) / 90.0,
+            (-504.0 - 115.0 * s) / 70.0,
+            (63.0 + 13.0 * s) / 35.0,
+        ],
+        vec![1.0 / 14.0, 0.0, 0.0, 0.0, (14.0 + 3.0 * s) / 126.0, (13.0 + 3.0 * s) / 63.0, 1.0 / 9.0],
+        vec![
+            1.0 / 32.0,
+            0.0,
+            0.0,
+            0.0,
+            (91.0 + 21.0 * s) / 576.0,
+            11.0 / 72.0,
+            (-385.0 + 75.0 * s) / 1152.0,
+            (63.0 - 13.0 * s) / 128.0,
+        ],
+        vec![
+            1.0 / 14.0,
+            0.0,
+            0.0,
+            0.0,
+            1.0 / 9.0,
+            (-733.0 + 147.0 * s) / 2205.0,
+            (515.0 - 111.0 * s) / 504.0,
+            (-51.0 + 11.0 * s) / 56.0,
+            (132.0 - 28.0 * s) / 245.0,
+        ],
+        vec![
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            (-42.0 - 7.0 * s) / 18.0,
+            (-18.0 - 28.0 * s) / 45.0,
+            (-273.0 + 53.0 * s) / 72.0,
+            (301.0 - 53.0 * s) / 72.0,
+            (28.0 + 28.0 * s) / 45.0,
+            (49.0 + 7.0 * s) / 18.0,
+        ],
+    ];
+    let (q0, l0) = (quaternion_of(r), r.transpose() * l);
+    let mut k: Vec<(nalgebra::Vector4<f64>, V)> = Vec::new();
+    let moved = |weights: &[f64], k: &[(nalgebra::Vector4<f64>, V)]| {
+        weights.iter().zip(k).fold((q0, l0), |(q, l), (w, k)| (q + k.0 * (w * h), l + k.1 * (w * h)))
+    };
+    for row in &a {
+        let (q, l) = moved(row, &k);
+        let r = matrix_of(&q);
+        let (spin, torque) = rates(&(r, r * l));
+        k.push((slope(&spin, &q), l.cross(&(r.transpose() * spin)) + r.transpose() * torque));
+    }
+    let (side, middle) = (49.0 / 180.0, 16.0 / 45.0);
+    let (q1, l1) = moved(&[0.05, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, side, middle, side, 0.05], &k);
+    let r1 = matrix_of(&q1);
+    (r1, r1 * l1)
+}
+
 /// Gram and Schmidt's process as a QR factorisation with a positive diagonal.
 fn orthonormal(a: &M) -> M {
     let factors = a.qr();

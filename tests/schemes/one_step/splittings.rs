@@ -195,10 +195,18 @@ fn flow(moments: &V, l: &V, h: f64) -> M {
     })
 }
 
-/// A composition of `strang`, the coefficients from the first to the middle one.
-pub fn composed(s: &State, h: f64, half: &[f64]) -> State {
+/// A composition of a step, the coefficients from the first to the middle one.
+pub fn composed(s: &State, h: f64, half: &[f64], step: impl Fn(&State, f64) -> State) -> State {
     let back = half.iter().rev().skip(1);
-    half.iter().chain(back).fold(*s, |s, part| strang(&s, part * h))
+    half.iter().chain(back).fold(*s, |s, part| step(&s, part * h))
+}
+
+pub fn strang_symmetric(s: &State, h: f64) -> State {
+    kicked(s, h, symmetric_top)
+}
+
+pub fn exact_rotor(s: &State, h: f64) -> State {
+    kicked(s, h, free_flow)
 }
 
 pub fn triple_jump() -> [f64; 2] {
