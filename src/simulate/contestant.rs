@@ -306,6 +306,18 @@ impl Contestant {
         T::stream(self, system, form, plan, store)
     }
 
+    /// Runs in an arithmetic and keeps the stored states.
+    pub fn run_in<T: Arithmetic>(
+        &self,
+        system: &System<T>,
+        form: Form,
+        plan: &Plan,
+    ) -> (Vec<Snapshot<T>>, Outcome) {
+        let mut states = Vec::new();
+        let outcome = self.stream_in(system, form, plan, &mut |state| states.push(*state));
+        (states, outcome)
+    }
+
     /// Runs and keeps the stored states.
     pub fn run(&self, system: &System, form: Form, plan: &Plan) -> Trajectory {
         let mut states = Vec::with_capacity((plan.steps / plan.every.max(1) + 2).min(1 << 20) as usize);
