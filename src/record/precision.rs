@@ -29,8 +29,12 @@ words! {
         Linear = "n",
         /// The interval of the exponent holds both.
         Either = "√n or n",
-        /// It holds neither.
-        Neither = "neither",
+        /// It lies below 1/2.
+        Slower = "slower than √n",
+        /// It lies between both.
+        Between = "between √n and n",
+        /// It lies above 1.
+        Faster = "faster than n",
     }
 }
 
@@ -53,7 +57,9 @@ impl Growth {
             (true, false) => Law::Root,
             (false, true) => Law::Linear,
             (true, true) => Law::Either,
-            (false, false) => Law::Neither,
+            _ if exponent < 0.5 => Law::Slower,
+            _ if exponent < 1.0 => Law::Between,
+            _ => Law::Faster,
         };
         Growth { exponent, uncertainty, law }
     }

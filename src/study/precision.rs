@@ -32,7 +32,7 @@ const HALVINGS: u32 = 12;
 /// Most halvings in double-double, whose step costs thirty in f64: 4,096 steps …
 const PRECISE_HALVINGS: u32 = 8;
 /// … and most evaluations and iterations of a run: implicit schemes iterate to 31 digits.
-const MOST_WORK: u64 = 1 << 14;
+const MOST_WORK: u64 = 1 << 15;
 /// Further halvings that must not lower an error that is the smallest one.
 const CONFIRMED: usize = 2;
 /// Part of the error before as many halvings that an error is below while it falls: a quarter at order 1.
@@ -220,10 +220,90 @@ fn growth(runs: &[PrecisionRun]) -> Option<Growth> {
 /// # Errors
 /// [`BenchError`].
 pub fn rows(scenes: Vec<Scene>, contestants: &[Contestant]) -> Result<Vec<PrecisionRow>, BenchError> {
-    let benches: Vec<Bench> =
-        scenes.into_par_iter().map(Bench::new).collect::<Result<_, BenchError>>()?;
+    let benches: Vec<Bench> = scenes.into_par_iter().map(Bench::new).collect::<Result<_, BenchError>>()?;
     let cells: Vec<(&Bench, &Contestant)> =
         benches.iter().flat_map(|bench| contestants.iter().map(move |one| (bench, one))).collect();
     let rows = cells.into_par_iter().with_max_len(1).filter_map(|(bench, one)| bench.rows(one));
     Ok(rows.flatten_iter().collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::record::Law;
+    use crate::simulate::Precision;
+
+    /// A ladder of n = 16 … 65,536 steps of a second with these errors and roundings.
+    fn ladder(error: impl Fn(f64) -> f64, rounding: impl Fn(f64) -> f64) -> PrecisionRow {
+        let run = |halving| {
+            let n = (SAMPLES << halving) as f64;
+            PrecisionRun {
+                steps: SAMPLES << halving,
+                step_s: 1.0 / n,
+                error_rad: Some(error(n)),
+                rounding_rad: Some(rounding(n)),
+            }
+        };
+        summed_up((0..=HALVINGS).map(run).collect())
+    }
+
+    #[test]
+    fn the_smallest_error_stands_where_truncation_and_rounding_balance() {
+        // e = 1/n² + u √n is least where n^(5/2) = 4/u: at n = 1099 for u = 1e-7, 1024 on the ladder.
+        let rounding = |n: f64| 1e-7 * n.sqrt();
+        let row = ladder(|n| n.powi(-2) + rounding(n), rounding);
+        assert_eq!((row.reach, row.at_step_s), (Some(Reach::Rounding), Some(1.0 / 1024.0)));
+        let least = row.smallest_error_rad.expect("an error");
+        assert!((least - (1.0 / 1024.0 / 1024.0 + 3.2e-6)).abs() < 1e-12, "{least:e}");
+        let growth = row.growth.expect("a law");
+        assert!((growth.exponent - 0.5).abs() < 1e-12 && growth.law == Law::Root, "{growth:?}");
+        assert_eq!(ladder(rounding, |n| 1e-7 * n).growth.map(|one| one.law), Some(Law::Linear));
+    }
+
+    #[test]
+    fn a_bound_and_another_motion_are_no_reach() {
+        let rounding = |n: f64| 1e-16 * n;
+        let reach = |error: fn(f64) -> f64| ladder(error, rounding).reach;
+        assert_eq!(reach(|n| 1.0 / n), Some(Reach::Falling));
+        assert_eq!(reach(|n| 0.5 + 1.0 / n), Some(Reach::OtherMotion));
+        assert_eq!(reach(|n| 0.5 - 1.0 / n), Some(Reach::OtherMotion));
+        assert_eq!(reach(|_| f64::NAN), Some(Reach::Broken));
+    }
+
+    #[test]
+    fn a_law_needs_more_than_three_runs_and_an_interval_that_decides() {
+        let laws = [(0.55, 0.1), (0.9, 0.15), (0.7, 0.4), (0.2, 0.1), (0.8, 0.1), (1.2, 0.1)]
+            .map(|(q, s)| Growth::new(q, s).law);
+        assert_eq!(laws, [Law::Root, Law::Linear, Law::Either, Law::Slower, Law::Between, Law::Faster]);
+        let row = ladder(|n| 1.0 / n, |_| 1e-16);
+        assert_eq!(growth(&row.runs[..6]), None);
+        assert!(growth(&row.runs[..7]).is_some());
+    }
+
+    #[test]
+    fn the_exact_rotor_has_no_truncation_and_reaches_a_few_units_of_each_arithmetic() {
+        let scene = Scene::find("free-asymmetric").expect("built in");
+        let all = Contestant::all();
+        let rotor = all.iter().find(|one| one.card.name == "exact-rotor").expect("in the list");
+        let bench = Bench::new(scene.clone()).expect("a bench");
+        let [single, double, truncation] = bench.rows(rotor).expect("rows");
+        // The start and what follows from it are rounded to f64 where the two are compared: measured 3.8e-16.
+        assert!(truncation.runs.iter().all(|run| run.error_rad.is_some_and(|error| error < 1e-15)));
+        for (row, unit) in [(&single, Single::UNIT), (&double, f64::UNIT)] {
+            let least = row.smallest_error_rad.expect("an error");
+            // Measured 7 units in f32, 9 in f64.
+            assert!((unit / 4.0..32.0 * unit).contains(&least), "{}: {least:e}", row.arithmetic);
+            assert_eq!(row.reach, Some(Reach::Rounding), "{}", row.arithmetic);
+            for run in &row.runs {
+                // Without truncation an error is a rounding.
+                let (error, rounding) = (run.error_rad.expect("ran"), run.rounding_rad);
+                assert!(rounding.is_none_or(|size| (error - size).abs() < 2e-15), "{run:?}");
+            }
+        }
+        // A run of its own, in single precision, has the error of the row.
+        let steps = single.runs[3].steps;
+        let plan = Plan::over(scene.duration, steps, SAMPLES);
+        let run = rotor.at(Precision::F32).expect("a scheme").run(&scene.system, Form::Least, &plan);
+        assert_eq!(Some(bench.error(&run.states)), single.runs[3].error_rad);
+    }
 }
