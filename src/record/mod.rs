@@ -33,7 +33,7 @@ pub use evidence::*;
 pub(crate) use findings::TIME_DIGITS;
 pub use findings::{Drift, DriftClass, Measurement, Order, OrderStatus, RunStatus, Series};
 pub use numbers::to_digits;
-pub use precision::{Growth, Law, PrecisionRow, PrecisionRun, Reach};
+pub use precision::{GrowsAs, Growth, PrecisionRow, PrecisionRun, Reach};
 pub use published::{Agreement, PublishedRow, Sureness, last_digit};
 pub use subjects::{ReferenceRow, SceneRow, SchemeRow};
 #[cfg(feature = "cli")]

@@ -21,7 +21,7 @@ words! {
 
 words! {
     /// How rounding grows with the number of steps n.
-    Law {
+    GrowsAs {
         /// Roundings that add up at random.
         #[default]
         Root = "√n",
@@ -46,7 +46,7 @@ pub struct Growth {
     /// Twice its standard error.
     pub uncertainty: f64,
     /// The law that the interval of both allows.
-    pub law: Law,
+    pub law: GrowsAs,
 }
 
 impl Growth {
@@ -54,12 +54,12 @@ impl Growth {
     pub fn new(exponent: f64, uncertainty: f64) -> Growth {
         let holds = |q: f64| (exponent - q).abs() <= uncertainty;
         let law = match (holds(0.5), holds(1.0)) {
-            (true, false) => Law::Root,
-            (false, true) => Law::Linear,
-            (true, true) => Law::Either,
-            _ if exponent < 0.5 => Law::Slower,
-            _ if exponent < 1.0 => Law::Between,
-            _ => Law::Faster,
+            (true, false) => GrowsAs::Root,
+            (false, true) => GrowsAs::Linear,
+            (true, true) => GrowsAs::Either,
+            _ if exponent < 0.5 => GrowsAs::Slower,
+            _ if exponent < 1.0 => GrowsAs::Between,
+            _ => GrowsAs::Faster,
         };
         Growth { exponent, uncertainty, law }
     }

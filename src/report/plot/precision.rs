@@ -1,6 +1,6 @@
 //! Errors against the step in single and in double precision, beside truncation alone: a panel a scene.
 
-use crate::record::{PrecisionRow, Records};
+use crate::record::{PrecisionRow, PrecisionRun, Records};
 use crate::report::survey;
 
 use super::axis::Axis;
@@ -61,7 +61,7 @@ pub(super) fn sketch(records: &Records, palette: &Palette) -> Option<Sketch> {
 
 /// log₁₀ of the step and of the error of the runs that came to their end.
 fn points(row: &PrecisionRow) -> Vec<(f64, f64)> {
-    let point = |run: &crate::record::PrecisionRun| {
+    let point = |run: &PrecisionRun| {
         let error = run.error_rad.filter(|error| *error > 0.0 && error.is_finite())?;
         Some((run.step_s.log10(), error.log10()))
     };
