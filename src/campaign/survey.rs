@@ -7,6 +7,8 @@ use crate::record::Records;
 use crate::scenes::{self, Scene};
 use crate::schemes;
 use crate::simulate::Contestant;
+#[cfg(feature = "cli")]
+use crate::study::precision;
 
 /// Scenes in which every scheme is measured: free, held at a point under gravity, and under springs.
 const EVERY_SCHEME: [&str; 3] = ["free-asymmetric", "heavy-asymmetric-top", "tether-springs"];
@@ -27,6 +29,8 @@ pub struct Survey<'a> {
     pub sizes: Option<Sizes>,
     /// Whether the numbers that others published are computed again.
     pub published: bool,
+    /// Whether the main schemes are measured in single, double and double-double precision.
+    pub precision: bool,
     /// Called as (task, done, of all) after every piece of work.
     pub progress: &'a (dyn Fn(Task, usize, usize) + Sync),
 }
@@ -62,6 +66,7 @@ impl Survey<'_> {
             every_scheme: false,
             sizes: None,
             published: false,
+            precision: false,
             progress: &|_, _, _| (),
         }
     }
@@ -69,7 +74,7 @@ impl Survey<'_> {
     /// The main schemes in every built-in scene, all schemes in three of them, and how costs grow.
     pub fn standard() -> Survey<'static> {
         let grid = Survey::of(scenes::built_in(), Contestant::main());
-        Survey { every_scheme: true, sizes: Some(Sizes::Usual), published: true, ..grid }
+        Survey { every_scheme: true, sizes: Some(Sizes::Usual), published: true, precision: true, ..grid }
     }
 
     /// Measures, judges, compares and times, or as much of it as there is time for.
@@ -83,6 +88,7 @@ impl Survey<'_> {
         }
         self.add_peers(&mut records);
         self.add_published(&mut records);
+        self.add_precision(&mut records);
         self.add_times(&mut records);
         records
     }
@@ -127,6 +133,24 @@ impl Survey<'_> {
                 Ok(rows) => records.published = rows,
                 Err(_) => records.complete = false,
             }
+        }
+    }
+
+    /// Precision is studied with the feature `cli`.
+    #[cfg(not(feature = "cli"))]
+    fn add_precision(&self, _: &mut Records) {}
+
+    #[cfg(feature = "cli")]
+    fn add_precision(&self, records: &mut Records) {
+        if !self.precision {
+            return;
+        }
+        let main = |one: &&Contestant| schemes::MAIN.contains(&one.card.name);
+        let contestants: Vec<Contestant> = self.contestants.iter().filter(main).cloned().collect();
+        let scenes = precision::SCENES.iter().filter_map(|name| Scene::find(name).ok()).collect();
+        match precision::rows(scenes, &contestants) {
+            Ok(rows) => records.precision = rows,
+            Err(_) => records.complete = false,
         }
     }
 

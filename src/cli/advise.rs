@@ -1,5 +1,6 @@
 //! `polhode advise`: which scheme and which step for a tolerance.
 
+use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueEnum};
 use comfy_table::{ContentArrangement, Table, presets};
 use serde_json::{Value, json};
@@ -7,6 +8,7 @@ use serde_json::{Value, json};
 use super::output::print;
 use super::{Failure, select};
 use crate::scenes::Scene;
+use crate::simulate::Precision;
 use crate::study::advice::{Advice, Answer, Answers, Question, QuestionError, SAMPLES};
 
 /// Options of `polhode advise`.
@@ -27,6 +29,10 @@ pub(super) struct Options {
     /// Scheme to ask, or `all`; may be given several times [default: all]
     #[arg(long = "scheme", value_name = "S")]
     schemes: Vec<String>,
+    /// Arithmetic of the runs
+    #[arg(long, value_name = "A", default_value = Precision::F64.name(),
+        value_parser = PossibleValuesParser::new([Precision::F64, Precision::F32].map(Precision::name)))]
+    precision: String,
     /// Form of the answer
     #[arg(long, value_enum, default_value_t = Format::Table)]
     format: Format,
@@ -43,10 +49,14 @@ Examples:
   polhode advise heavy-asymmetric-top --tolerance 1e-4
   polhode advise free-asymmetric --tolerance 1e-6 --quantity orientation --duration 60
   polhode advise my-body.toml --tolerance 1e-3 --scheme peskin-rk2 --scheme rk4-quaternion
+  polhode advise free-asymmetric --tolerance 1e-4 --quantity orientation --precision f32
 
 body-point, the default, is the largest error of any point of the body [m]: it exists for every body and counts both where the
 body is and how it is turned. The error of a run is its largest at sixteen equal distances; a step is given only if its error
 is below 0.8 of the tolerance and so is that of the steps below it, down to half of it. Every step divides the duration.
+
+With --precision f32 the runs are in single precision. Below some step its rounding makes errors worse; where no step meets the
+tolerance, the smallest error, its scheme and its step are printed.
 
 Exit code: 0 some scheme meets the tolerance, 1 none does, 2 the motion itself is not known well enough to say.";
 
@@ -66,7 +76,7 @@ pub(super) fn advise(options: &Options) -> Result<u8, Failure> {
     }
     let contestants = select::named(&options.schemes)?;
     let question = match Question::new(&scene, duration, quantity, options.tolerance) {
-        Ok(question) => question,
+        Ok(question) => question.at(Precision::named(&options.precision).unwrap_or_default()),
         Err(error @ QuestionError::TooFine { .. }) => {
             eprintln!("polhode: {error}");
             return Ok(2);
@@ -85,11 +95,12 @@ pub(super) fn advise(options: &Options) -> Result<u8, Failure> {
 fn in_words(scene: &Scene, question: &Question, answers: &Answers) -> String {
     let unit = question.quantity.unit();
     let mut text = format!(
-        "{}: {} within {:e} {unit} for {} s\n\n",
+        "{}: {} within {:e} {unit} for {} s, in {}\n\n",
         scene.name,
         question.quantity.name().replace('-', " "),
         question.tolerance,
-        question.duration
+        question.duration,
+        question.precision.name()
     );
     let found: Vec<(&str, &Advice)> = answers
         .answers
@@ -98,6 +109,7 @@ fn in_words(scene: &Scene, question: &Question, answers: &Answers) -> String {
         .collect();
     if found.is_empty() {
         text += "No scheme that was asked meets this tolerance.\n";
+        text += &nearest(question, answers);
     } else {
         text += &format!("{}\n", table(unit, &found));
         if found.iter().any(|(_, advice)| advice.own_steps) {
@@ -122,6 +134,21 @@ fn in_words(scene: &Scene, question: &Question, answers: &Answers) -> String {
         text += &format!("\nWithout an answer:\n{}\n", unmet.join("\n"));
     }
     text
+}
+
+/// The smallest error that was found, with its scheme and step.
+fn nearest(question: &Question, answers: &Answers) -> String {
+    let unmet = |answer: &Answer| Some((answer.scheme, answer.found.as_ref().err()?.nearest()?));
+    answers.answers.iter().find_map(unmet).map_or(String::new(), |(scheme, nearest)| {
+        format!(
+            "The smallest error in {}: {:.1e} {} by {scheme} at h = {:.3e} s ({} steps).\n",
+            question.precision.name(),
+            nearest.error,
+            question.quantity.unit(),
+            nearest.step,
+            nearest.steps
+        )
+    })
 }
 
 fn table(unit: &str, found: &[(&str, &Advice)]) -> Table {
@@ -188,7 +215,13 @@ fn in_json(scene: &Scene, question: &Question, answers: &Answers) -> String {
                 "own_steps": advice.own_steps,
                 "why": null,
             }),
-            Err(why) => json!({ "scheme": answer.scheme, "step_s": null, "why": why.to_string() }),
+            Err(why) => json!({
+                "scheme": answer.scheme,
+                "step_s": null,
+                "smallest_error": why.nearest().map(|nearest| nearest.error),
+                "smallest_error_step_s": why.nearest().map(|nearest| nearest.step),
+                "why": why.to_string(),
+            }),
         }
     };
     let answer = json!({
@@ -198,6 +231,7 @@ fn in_json(scene: &Scene, question: &Question, answers: &Answers) -> String {
         "quantity": question.quantity.name(),
         "unit": question.quantity.unit(),
         "tolerance": question.tolerance,
+        "precision": question.precision.name(),
         "noise": answers.noise,
         "answers": answers.answers.iter().map(one).collect::<Vec<_>>(),
     });

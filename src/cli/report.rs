@@ -48,6 +48,7 @@ fn survey(options: &Options) -> Result<Survey<'static>, Failure> {
     Ok(Survey {
         every_scheme: full || whole,
         published: whole,
+        precision: whole,
         sizes: whole.then_some(if full { Sizes::Full } else { Sizes::Usual }),
         ..Survey::of(selection.scenes()?, selection.contestants(full)?)
     })

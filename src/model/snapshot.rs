@@ -26,6 +26,23 @@ pub struct Snapshot<T: Real = f64> {
     pub stretch: T,
 }
 
+impl<T: Real> Snapshot<T> {
+    /// The same moment in another arithmetic, by the nearest f64: exact from f32 and f64 into one of as many digits or more.
+    pub fn nearest<U: Real>(&self) -> Snapshot<U> {
+        let number = |value: T| U::of(value.to_f64());
+        Snapshot {
+            time: number(self.time),
+            position: self.position.map(number),
+            velocity: self.velocity.map(number),
+            // Not normalised: an angle between rotations is that between quaternions of any length.
+            orientation: Rotation::new_unchecked(self.orientation.as_ref().coords.map(number).into()),
+            angular_velocity: self.angular_velocity.map(number),
+            angular_momentum: self.angular_momentum.map(number),
+            stretch: number(self.stretch),
+        }
+    }
+}
+
 /// How far two moments of one body are apart, each quantity in its unit.
 ///
 /// Lengths are Euclidean. For a rod the orientation is the angle between its directions, for a single point it

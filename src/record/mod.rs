@@ -11,6 +11,7 @@ mod evidence;
 mod findings;
 mod numbers;
 mod packed;
+mod precision;
 mod published;
 mod subjects;
 #[cfg(feature = "cli")]
@@ -32,6 +33,7 @@ pub use evidence::*;
 pub(crate) use findings::TIME_DIGITS;
 pub use findings::{Drift, DriftClass, Measurement, Order, OrderStatus, RunStatus, Series};
 pub use numbers::to_digits;
+pub use precision::{GrowsAs, Growth, PrecisionRow, PrecisionRun, Reach};
 pub use published::{Agreement, PublishedRow, Sureness, last_digit};
 pub use subjects::{ReferenceRow, SceneRow, SchemeRow};
 #[cfg(feature = "cli")]
@@ -100,6 +102,9 @@ pub struct Records {
     /// Figures that others published, beside ours.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub published: Vec<PublishedRow>,
+    /// What schemes reach in single and in double precision, one row a scene, scheme and arithmetic.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub precision: Vec<PrecisionRow>,
 }
 
 /// The machine that the costs belong to.
@@ -153,6 +158,7 @@ impl Records {
         self.peers.extend(other.peers);
         self.twins.extend(other.twins);
         self.published.extend(other.published);
+        self.precision.extend(other.precision);
         let judged = self.verdicts.len();
         for verdict in other.verdicts {
             if !self.verdicts[..judged].contains(&verdict) {
@@ -174,6 +180,7 @@ impl Records {
         kept.verdicts.retain(|row| keep(&row.scheme));
         kept.series.retain(|row| keep(&row.scheme));
         kept.costs.retain(|row| keep(&row.scheme));
+        kept.precision.retain(|row| keep(&row.scheme));
         kept
     }
 

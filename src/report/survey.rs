@@ -110,6 +110,7 @@ pub(super) fn measured_schemes(records: &Records) -> Vec<&str> {
     let runs = |name: &&str| {
         records.measurements.iter().any(|row| row.scheme == **name)
             || records.series.iter().any(|row| row.scheme == **name)
+            || records.precision.iter().any(|row| row.scheme == **name)
     };
     schemes(records).into_iter().filter(runs).collect()
 }

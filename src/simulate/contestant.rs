@@ -5,10 +5,11 @@ use std::sync::Arc;
 
 use super::dispatch::{InAny, run_in_body_axes, run_on_any_model, run_on_points};
 use super::limits::Limits;
-use super::precision::Arithmetic;
+use super::precision::{Arithmetic, Precision};
 use super::{InBodyAxes, OnAnyModel, OnPoints, Outcome, Plan, Program, Trajectory, substeps};
+use crate::arithmetic::{DoubleDouble, Single};
 use crate::claim::Claim;
-use crate::model::{AnyModel, Snapshot, System, SystemError};
+use crate::model::{AnyModel, Broken, Snapshot, System, SystemError};
 use crate::schemes::{self, Card, PointScheme, Scheme, SideBySide, TurningScheme, Visitor};
 
 /// Which form of a scene is run.
@@ -188,6 +189,28 @@ impl Contestant {
         })
     }
 
+    /// The scheme in an arithmetic, with states handed over as the nearest f64. `None` for a program or a solver of another
+    /// crate, which runs in f64 alone.
+    pub fn at(&self, precision: Precision) -> Option<Contestant> {
+        match precision {
+            Precision::F64 => Some(self.clone()),
+            Precision::F32 => self.within_arithmetic::<Single>(),
+            Precision::DoubleDouble => self.within_arithmetic::<DoubleDouble>(),
+        }
+    }
+
+    fn within_arithmetic<T: Arithmetic>(&self) -> Option<Contestant> {
+        self.other_arithmetics.as_ref()?;
+        let scheme = self.clone();
+        let run = move |system: &System, form: Form, plan: &Plan, store: &mut dyn FnMut(&Snapshot)| {
+            match System::<T>::of(system) {
+                Ok(own) => T::stream(&scheme, &own, form, plan, &mut |state| store(&state.nearest())),
+                Err(error) => Outcome::none(Broken::Refused(error.to_string().into())),
+            }
+        };
+        Some(Contestant { run: Arc::new(run), side_by_side: None, other_arithmetics: None, ..self.clone() })
+    }
+
     /// The same, and who the program is.
     pub fn by(self, program: impl Fn() -> Program + Send + Sync + 'static) -> Contestant {
         Contestant { program: Some(Arc::new(program)), ..self }
@@ -304,6 +327,18 @@ impl Contestant {
         store: &mut dyn FnMut(&Snapshot<T>),
     ) -> Outcome {
         T::stream(self, system, form, plan, store)
+    }
+
+    /// Runs in an arithmetic and keeps the stored states.
+    pub fn run_in<T: Arithmetic>(
+        &self,
+        system: &System<T>,
+        form: Form,
+        plan: &Plan,
+    ) -> (Vec<Snapshot<T>>, Outcome) {
+        let mut states = Vec::new();
+        let outcome = self.stream_in(system, form, plan, &mut |state| states.push(*state));
+        (states, outcome)
     }
 
     /// Runs and keeps the stored states.

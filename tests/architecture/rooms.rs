@@ -148,6 +148,7 @@ const EDGES: &[(&str, &[&str])] = &[
 const STUDIES: &[(&str, &[&str])] = &[
     ("cause", &[]),
     ("cost", &[]),
+    ("precision", &[]),
     ("published", &[]),
     ("ensemble", &[]),
     ("advice", &["cost"]),

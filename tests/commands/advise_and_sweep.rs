@@ -107,3 +107,34 @@ fn a_key_that_a_sweep_does_not_know_is_told_with_those_that_there_are() {
         assert!(stderr(&output).contains("key=from:to:n"), "{wrong}");
     }
 }
+
+#[test]
+fn advice_in_single_precision_is_its_own_and_names_what_it_reaches() {
+    let advise = |tolerance: &str, precision: &str| {
+        let schemes = ["--scheme", "rk4-quaternion", "--scheme", "peskin-rk2", "--scheme", "dop853"];
+        let question = ["advise", "free-asymmetric", "--quantity", "orientation", "--tolerance", tolerance];
+        polhode(&[&question[..], &["--precision", precision, "--format", "json"], &schemes].concat())
+    };
+    // Below what single precision reaches: 7e-7 by rk4-quaternion on the ladder of the report.
+    let (single, double) = (advise("1e-7", "f32"), advise("1e-7", "f64"));
+    assert_eq!((code(&single), code(&double)), (1, 0), "{}", stderr(&single));
+    let single = json(&single);
+    assert_eq!(single["precision"], "f32");
+    let nearest = &single["answers"][0];
+    assert_eq!(nearest["scheme"], "rk4-quaternion");
+    let error = nearest["smallest_error"].as_f64().expect("an error");
+    assert!((1e-7..5e-6).contains(&error), "{nearest}");
+    assert!(nearest["smallest_error_step_s"].as_f64().is_some_and(|step| step > 0.01), "{nearest}");
+    // Where both meet the tolerance the errors tell the arithmetics apart; truncation is the same to rounding.
+    let found = |output| {
+        let advice = json(&output);
+        let answers = advice["answers"].as_array().expect("answers").clone();
+        let of = |name: &str| answers.iter().find(|one| one["scheme"] == name).expect("an answer").clone();
+        (of("rk4-quaternion"), of("dop853"))
+    };
+    let ((single, solver), (double, other)) = (found(advise("1e-4", "f32")), found(advise("1e-4", "f64")));
+    let [a, b] = [&single, &double].map(|one| one["error"].as_f64().expect("an error"));
+    assert!(a != b && (a - b).abs() < 1e-5, "{a:e} {b:e}");
+    assert_eq!(solver["why"], "runs in f64 only");
+    assert!(other["step_s"].is_number());
+}

@@ -8,8 +8,8 @@ use super::synthetic::few;
 use crate::common::plots;
 use polhode::internals::report;
 use polhode::record::{
-    CostRow, Drift, Grows, Measurement, Order, OrderStatus, Records, RunStatus, SCHEMA, ScalingRow,
-    SchemeRow, Series, Verdict,
+    CostRow, Drift, Grows, Growth, Measurement, Order, OrderStatus, PrecisionRow, PrecisionRun, Reach,
+    Records, RunStatus, SCHEMA, ScalingRow, SchemeRow, Series, Verdict,
 };
 
 /// Writes the report into a fresh folder.
@@ -233,4 +233,47 @@ fn a_folder_that_cannot_be_made_is_an_error_with_its_name() {
     let error = report::write(&few(&[1]), &file.join("out"), &|_, _| ()).unwrap_err();
     assert!(matches!(error, report::ReportError::File(_)), "{error}");
     assert!(error.to_string().contains("file"), "{error}");
+}
+
+#[test]
+fn precision_has_a_picture_and_a_table_that_says_bounds() {
+    let mut records = few(&[1]);
+    let run = |n: u32, error| PrecisionRun {
+        steps: 16 << n,
+        step_s: 0.5 / f64::from(1 << n),
+        error_rad: Some(error),
+        rounding_rad: Some(1e-6),
+    };
+    let row = |arithmetic: &str, reach, errors: [f64; 3]| PrecisionRow {
+        scene: records.scenes[0].name.clone(),
+        scheme: records.schemes[0].name.clone(),
+        arithmetic: arithmetic.into(),
+        smallest_error_rad: Some(errors[1]),
+        at_step_s: Some(0.25),
+        reach,
+        growth: Some(Growth::new(0.52, 0.1)),
+        runs: (0u32..).zip(errors).map(|(n, error)| run(n, error)).collect(),
+    };
+    let rows = vec![
+        row("f32", Some(Reach::Rounding), [1e-3, 2e-5, 5e-5]),
+        row("f64", Some(Reach::Falling), [1e-3, 1.5e-5, 1e-6]),
+        row("double-double", None, [1e-3, 1.5e-5, 1e-6]),
+    ];
+    assert!(!is_drawn(written(&records).path(), "precision.png"));
+    records.precision = rows;
+    let folder = written(&records);
+    assert!(is_drawn(folder.path(), "precision.png"));
+    let text = fs::read_to_string(folder.path().join("report.md")).expect("a file of the test itself");
+    assert!(
+        text.contains(
+            "| 2.0×10⁻⁵ | 0.25 | 0.52 ± 0.10: √n | ≤ 1.5×10⁻⁵, still falls | ≤ 0.25 | 0.52 ± 0.10: √n |"
+        ),
+        "{text}"
+    );
+    let page = fs::read_to_string(folder.path().join("index.html")).expect("a file of the test itself");
+    assert!(page.contains("id=\"precision\"") && page.contains("plots/precision.png"));
+    assert_eq!(
+        Records::read(&folder.path().join("records.json")).expect("records").precision,
+        records.precision
+    );
 }

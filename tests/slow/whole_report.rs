@@ -43,8 +43,8 @@ fn a_whole_report_has_every_file_and_every_picture_is_large() {
     // Convergence, invariants and two of work and precision a scene, and two of all of them. Scene 12 is exact in everything and
     // has no errors to hold against work.
     assert_eq!(plots.len(), 4 * SCENES + 2 - 2);
-    // Asked for beside those: every scheme's two pictures a scene, two of what is cheapest, and one of scaling.
-    assert_eq!(calls.load(Ordering::Relaxed), 6 * SCENES + 5);
+    // Asked for beside those: every scheme's two pictures a scene, two of what is cheapest, one of scaling and one of precision.
+    assert_eq!(calls.load(Ordering::Relaxed), 6 * SCENES + 6);
     for path in plots {
         let (width, height) = png_size(&path);
         assert!(width >= 1600 && height >= 1000, "{}: {width} × {height}", path.display());

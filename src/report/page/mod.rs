@@ -1,6 +1,7 @@
 //! What the HTML and the Markdown report say: every number already in print, with its unit and uncertainty.
 
 mod costs;
+mod precision;
 mod rankings;
 mod scene;
 mod tables;
@@ -48,6 +49,7 @@ pub(super) struct Page {
     cheapest: Vec<FigureView>,
     costs: Option<costs::Costs>,
     scaling: Option<FigureView>,
+    precision: Option<precision::Precision>,
     scenes: Vec<scene::Scene>,
 }
 
@@ -159,6 +161,7 @@ pub(super) fn compose(records: &Records, main: &Records, figures: &[Figure]) -> 
             &Subject::Scaling,
             "Cost of a step against the mass points of the body, and of a campaign against its cells.",
         ),
+        precision: precision::Precision::new(main, figures),
         scenes: survey::scenes(records)
             .into_iter()
             .map(|name| scene::Scene::new(main, figures, name, rankings::Ranking::new(records, name)))

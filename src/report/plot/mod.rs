@@ -18,6 +18,7 @@ mod overview;
 mod overview_panels;
 mod palette;
 mod panel;
+mod precision;
 mod raster;
 mod render;
 mod sketch;
@@ -53,6 +54,8 @@ pub(super) enum Subject {
     Cheapest(Work),
     /// Cost against size.
     Scaling,
+    /// Errors in single and in double precision.
+    Precision,
     /// Errors of foreign programs and of schemes on one scene, against step and cost.
     Engines(String),
 }
@@ -77,6 +80,7 @@ impl Subject {
             Subject::Cheapest(Work::Nanoseconds) => "cheapest-by-time".into(),
             Subject::Cheapest(_) => "cheapest-by-evaluations".into(),
             Subject::Scaling => "scaling".into(),
+            Subject::Precision => "precision".into(),
             Subject::Engines(scene) => format!("engines-{}", survey::file_stem(scene)),
         }
     }
@@ -109,6 +113,7 @@ pub(super) fn subjects(records: &Records) -> Vec<Subject> {
         Subject::Cheapest(Work::Nanoseconds),
         Subject::Cheapest(Work::Evaluations),
         Subject::Scaling,
+        Subject::Precision,
     ];
     for scene in survey::scenes(records) {
         subjects.push(Subject::Convergence(scene.into()));
@@ -162,6 +167,7 @@ pub(super) fn lay_out(
         }
         Subject::Cheapest(work) => cheapest::sketch(records, *work),
         Subject::Scaling => scaling::sketch(records),
+        Subject::Precision => precision::sketch(main, &palette),
         Subject::Engines(scene) => engines::sketch(records, scene),
     };
     Ok(sketch.map(|sketch| Picture { subject: subject.clone(), sketch }))

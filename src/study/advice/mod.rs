@@ -13,7 +13,7 @@ use crate::model::{Quantity, Snapshot, System};
 use crate::reference::{Reference, ReferenceError, stored};
 use crate::rotation;
 use crate::scenes::Scene;
-use crate::simulate::{Contestant, Form, Plan};
+use crate::simulate::{Contestant, Form, Plan, Precision};
 use crate::study::cost::{self, Course};
 
 use search::{Search, Unmet};
@@ -38,6 +38,8 @@ pub struct Question {
     pub quantity: Quantity,
     /// Its largest error over the run, in its unit.
     pub tolerance: f64,
+    /// Arithmetic of the runs.
+    pub precision: Precision,
     reference: Reference,
 }
 
@@ -67,7 +69,7 @@ pub enum QuestionError {
 /// The answers, and what the order of two costs is worth.
 #[derive(Clone, Debug)]
 pub struct Answers {
-    /// One a scheme: those with a step first, the cheapest at the head; the others follow in the order asked.
+    /// One a scheme: those with a step first, the cheapest at the head; then the others, the nearest to the tolerance at the head.
     pub answers: Vec<Answer>,
     /// How far two measurements of the same cost were apart, relative; `None` where nothing was timed.
     pub noise: Option<f64>,
@@ -128,21 +130,43 @@ impl Question {
             let unit = quantity.unit();
             return Err(QuestionError::TooFine { tolerance, uncertainty, least, unit });
         }
-        Ok(Question { system: scene.system.clone(), duration, quantity, tolerance, reference })
+        Ok(Question {
+            system: scene.system.clone(),
+            duration,
+            quantity,
+            tolerance,
+            precision: Precision::F64,
+            reference,
+        })
+    }
+
+    /// The same question, of runs in an arithmetic.
+    #[must_use]
+    pub fn at(self, precision: Precision) -> Question {
+        Question { precision, ..self }
     }
 
     /// Asks every scheme, in parallel; then times those that meet the tolerance, alone.
     pub fn ask(&self, contestants: &[Contestant]) -> Answers {
-        let mut answers: Vec<Answer> = contestants
+        let own: Vec<Contestant> = contestants.iter().filter_map(|one| one.at(self.precision)).collect();
+        let mut answers: Vec<Answer> = own
             .par_iter()
             .map(|contestant| Answer { scheme: contestant.card.name, found: self.ask_one(contestant) })
             .collect();
-        let noise = self.time(contestants, &mut answers);
+        let noise = self.time(&own, &mut answers);
+        let refused = contestants.iter().filter(|one| one.at(self.precision).is_none());
+        answers.extend(refused.map(|one| Answer {
+            scheme: one.card.name,
+            found: Err(Unmet::Refused(format!("runs in {} only", Precision::F64.name()))),
+        }));
         let key = |answer: &Answer| match &answer.found {
-            Ok(advice) => advice.nanoseconds.unwrap_or(f64::MAX),
-            Err(_) => f64::INFINITY,
+            Ok(advice) => (false, advice.nanoseconds.unwrap_or(f64::MAX)),
+            Err(unmet) => (true, unmet.nearest().map_or(f64::INFINITY, |nearest| nearest.error)),
         };
-        answers.sort_by(|a, b| key(a).total_cmp(&key(b)));
+        answers.sort_by(|a, b| {
+            let (a, b) = (key(a), key(b));
+            a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+        });
         Answers { answers, noise }
     }
 

@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 
 use super::{Question, SAMPLES};
 use crate::interrupt;
-use crate::simulate::{Contestant, Form, Plan};
+use crate::simulate::{Contestant, Form, Plan, Precision};
 
 /// Part of the tolerance that an error may take.
 pub const MARGIN: f64 = 0.8;
@@ -24,6 +24,8 @@ pub const CLEAR: f64 = 0.1;
 const MOST_STEPS: u64 = 1 << 18;
 const MOST_STEPS_IN_NAME: u64 = 1 << 14;
 const MOST_FOREIGN_STEPS: u64 = 1 << 13;
+/// Most steps in single precision: the roundings of so many steps add up to 1e-5 of the motion at least.
+const MOST_STEPS_IN_SINGLE: u64 = 1 << 16;
 /// Grid places of a halving.
 const PLACES: u32 = 4;
 /// Bisections of the last place.
@@ -40,16 +42,50 @@ pub enum Unmet {
     Breaks(String),
     /// The steps ran out before the tolerance was met.
     #[error(
-        "error {error:.2e} at {steps} steps, the most that are tried; {asked:.2e} is asked, 0.8 of the tolerance"
+        "error {:.2e} at {} steps, the most that are tried; {asked:.2e} is asked, 0.8 of the tolerance",
+        nearest.error,
+        nearest.steps
     )]
     TooMany {
-        /// Largest error of the finest run.
-        error: f64,
-        /// Its steps.
-        steps: u64,
+        /// The finest run.
+        nearest: Nearest,
         /// The error that was asked for.
         asked: f64,
     },
+    /// Smaller steps than that of the smallest error do worse.
+    #[error(
+        "error {:.2e} at best, at h = {:.3e} s ({} steps), and more at smaller steps; {asked:.2e} is asked, 0.8 of the tolerance",
+        nearest.error,
+        nearest.step,
+        nearest.steps
+    )]
+    TooFine {
+        /// The best run.
+        nearest: Nearest,
+        /// The error that was asked for.
+        asked: f64,
+    },
+}
+
+/// The run that comes nearest to a tolerance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Nearest {
+    /// Its largest error, in the unit of the quantity.
+    pub error: f64,
+    /// h [s].
+    pub step: f64,
+    /// Its steps.
+    pub steps: u64,
+}
+
+impl Unmet {
+    /// The run that comes nearest, where one came to its end.
+    pub fn nearest(&self) -> Option<Nearest> {
+        match self {
+            Unmet::TooMany { nearest, .. } | Unmet::TooFine { nearest, .. } => Some(*nearest),
+            Unmet::Refused(_) | Unmet::Breaks(_) => None,
+        }
+    }
 }
 
 /// A search with what it has found so far.
@@ -67,6 +103,7 @@ impl<'a> Search<'a> {
         let most = match contestant {
             _ if contestant.has_own_clock() => MOST_FOREIGN_STEPS,
             _ if contestant.chooses_steps() => MOST_STEPS_IN_NAME,
+            _ if question.precision == Precision::F32 => MOST_STEPS_IN_SINGLE,
             _ => MOST_STEPS,
         };
         Search { question, contestant, errors: BTreeMap::new(), why_broken: None, most }
@@ -130,10 +167,18 @@ impl<'a> Search<'a> {
 
     fn unmet(&self) -> Unmet {
         let asked = MARGIN * self.question.tolerance;
-        let (steps, error) = self.errors.last_key_value().map_or((0, f64::INFINITY), |(s, e)| (*s, *e));
+        let nearest = |(steps, error): (u64, f64)| Nearest {
+            error,
+            step: self.question.duration / steps as f64,
+            steps,
+        };
+        let runs = || self.errors.iter().map(|(steps, error)| (*steps, *error));
+        let last = runs().next_back().unwrap_or((0, f64::INFINITY));
+        let best = runs().min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or(last);
         match &self.why_broken {
-            Some(why) if error.is_infinite() => Unmet::Breaks(why.clone()),
-            _ => Unmet::TooMany { error, steps, asked },
+            Some(why) if last.1.is_infinite() => Unmet::Breaks(why.clone()),
+            _ if 2 * best.0 < last.0 => Unmet::TooFine { nearest: nearest(best), asked },
+            _ => Unmet::TooMany { nearest: nearest(last), asked },
         }
     }
 }
