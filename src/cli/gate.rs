@@ -37,7 +37,7 @@ pub(super) struct Options {
     /// Write the records
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
-    /// Print every verdict, not only those that do not pass
+    /// Print what was judged of each scheme in each scene, ten lines at most
     #[arg(long)]
     verbose: bool,
 }
@@ -71,7 +71,6 @@ pub(super) fn gate(options: &Options, quiet: bool) -> Result<u8, Failure> {
     if let Some(path) = &options.junit {
         record::write_whole(path, report::junit(&records).as_bytes())?;
     }
-    print(&report::elsewhere(&records))?;
     print(&report::verdict_table(&records, options.verbose))?;
     if options.github {
         print(&report::annotations(&records))?;

@@ -32,7 +32,7 @@ pub use junit::junit;
 pub use plot::{heat_map, line_chart};
 pub use published::write_published;
 pub use stability::{table as stability_table, write as write_stability};
-pub use text::{elsewhere, verdict_table};
+pub use text::verdict_table;
 
 use page::Figure;
 use plot::{Picture, Subject};

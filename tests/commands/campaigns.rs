@@ -6,7 +6,7 @@ use std::process::Command;
 
 use serde_json::Value;
 
-use crate::common::program::{code, polhode, scratch, stderr};
+use crate::common::program::{code, polhode, scratch, stderr, stdout};
 
 #[test]
 fn the_gate_is_0_where_all_holds_1_where_a_claim_fails_and_2_where_nothing_is_decided() {
@@ -34,6 +34,25 @@ fn the_gate_is_0_where_all_holds_1_where_a_claim_fails_and_2_where_nothing_is_de
                  [initial]\nposition = [1, 0, 0]\n[[forces]]\nlaw = \"central-gravity\"\nmu = 1.0\n";
     fs::write(&through, scene).expect("written");
     assert_eq!(gate(&["--scheme", "peskin-rk2", "--scene", &through.to_string_lossy()]), 2);
+}
+
+#[test]
+fn a_green_gate_is_a_line_a_scheme_and_a_summary_and_a_red_one_a_line_more_a_scene() {
+    let gate = |more: &[&str]| {
+        let scenes = ["--scene", "kovalevskaya", "--scene", "free-oblate", "--scene", "tether-springs"];
+        let output = polhode(&[&["gate", "--quiet", "--scheme", "euler"][..], &scenes, more].concat());
+        (code(&output), stdout(&output))
+    };
+    let (green, text) = gate(&[]);
+    // euler, the references, a blank line and the summary.
+    assert_eq!((green, text.lines().count()), (0, 4), "{text}");
+    let (red, text) = gate(&["--order", "2"]);
+    let lines: Vec<&str> = text.lines().filter(|line| line.starts_with("fail: euler in ")).collect();
+    assert_eq!((red, lines.len()), (1, 3), "{text}");
+    assert!(
+        lines.iter().all(|line| line.contains(" off by ") && line.contains("2 claimed: order 1")),
+        "{text}"
+    );
 }
 
 #[test]
