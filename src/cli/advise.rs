@@ -13,8 +13,8 @@ use crate::study::advice::{Advice, Answer, Answers, Question, QuestionError, SAM
 #[derive(Args, Clone, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Options {
-    /// Built-in name or TOML file
-    scene: String,
+    #[command(flatten)]
+    scene: select::OneScene,
     /// Largest error that is allowed anywhere in the run, in the unit of the quantity
     #[arg(long, value_name = "E", allow_negative_numbers = true)]
     tolerance: f64,
@@ -59,7 +59,7 @@ pub(super) fn advise(options: &Options) -> Result<u8, Failure> {
             quantity.unit()
         )));
     }
-    let scene = Scene::find(&options.scene)?;
+    let scene = Scene::find(options.scene.name())?;
     let duration = options.duration.unwrap_or(scene.duration);
     if !(duration > 0.0 && duration.is_finite()) {
         return Err(Failure::Usage(format!("--duration {duration}: expected a positive number of seconds")));

@@ -65,7 +65,9 @@ impl Failure {
             }
             Failure::Judge(JudgeError::Content { .. }) => BAD_INPUT,
             Failure::Scene(_) | Failure::Record(RecordError::Format { .. }) | Failure::Model(_) => BAD_INPUT,
-            Failure::Record(RecordError::File { .. }) | Failure::Report(_) | Failure::Write { .. } => FILE,
+            Failure::Record(RecordError::File { .. } | RecordError::Foreign { .. })
+            | Failure::Report(_)
+            | Failure::Write { .. } => FILE,
         }
     }
 }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::Failure;
-use super::output::print;
+use super::output::{Force, print};
 use super::progress::with_bar;
 use super::select::Selection;
 use crate::campaign::Campaign;
@@ -26,7 +26,7 @@ pub(super) struct Options {
     #[arg(long, value_name = "P", value_parser = clap::value_parser!(u32).range(1..=12))]
     order: Option<u32>,
     /// Judge the evidence of this records file; nothing is run
-    #[arg(long, value_name = "RECORDS", conflicts_with_all = ["schemes", "scenes", "order"])]
+    #[arg(long, value_name = "RECORDS", conflicts_with_all = ["schemes", "places", "named", "order"])]
     from: Option<PathBuf>,
     /// Write a JUnit report
     #[arg(long, value_name = "FILE")]
@@ -37,6 +37,8 @@ pub(super) struct Options {
     /// Write the records
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
+    #[command(flatten)]
+    force: Force,
     /// Print what was judged of each scheme in each scene, ten lines at most
     #[arg(long)]
     verbose: bool,
@@ -56,6 +58,8 @@ Exit code: 0 every claim holds or is a known deviation, 1 one fails, 2 one is un
 nothing was judged.";
 
 pub(super) fn gate(options: &Options, quiet: bool) -> Result<u8, Failure> {
+    options.force.try_json(options.json.as_ref())?;
+    options.force.try_place(options.junit.as_ref(), |head| head.contains("<testsuites name=\"polhode\""))?;
     let baseline = match &options.baseline {
         Some(path) => Baseline::from_records(&Records::read(path)?),
         None => Baseline::built_in(),

@@ -7,10 +7,11 @@ use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueEnum};
 use serde_json::json;
 
+use super::output::Force;
 use super::{Failure, select};
 use crate::arithmetic::{DoubleDouble, Real, Single};
 use crate::model::{Snapshot, System, SystemError};
-use crate::record::{RunStatus, WholeFile};
+use crate::record::{RunStatus, WholeFile, is_own_json};
 use crate::reference::precise::{self, decimal};
 use crate::scenes::Scene;
 use crate::simulate::{Arithmetic, Contestant, Form, Outcome, Plan, Precision};
@@ -19,8 +20,8 @@ use crate::simulate::{Arithmetic, Contestant, Form, Outcome, Plan, Precision};
 #[derive(Args, Clone, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Options {
-    /// Built-in name or TOML file
-    scene: String,
+    #[command(flatten)]
+    scene: select::OneScene,
     /// Scheme, or substepped-N-S for the scheme S in N equal parts of every step
     #[arg(long, value_name = "S")]
     scheme: String,
@@ -54,6 +55,8 @@ pub(super) struct Options {
     /// File to write instead of stdout
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
+    #[command(flatten)]
+    force: Force,
 }
 
 const EXAMPLES: &str = "\
@@ -84,8 +87,9 @@ pub(super) fn run(options: &Options) -> Result<u8, Failure> {
 }
 
 fn run_in<T: Written>(options: &Options) -> Result<u8, Failure> {
+    options.force.try_place(options.out.as_ref(), is_own)?;
     let contestant = select::contestant(&options.scheme)?;
-    let scene = Scene::find(&options.scene)?;
+    let scene = Scene::find(options.scene.name())?;
     let plan = plan(options, scene.duration)?;
     let cannot = |reason: &str| {
         Failure::Model(format!("{} cannot take {}: {reason}", contestant.card.name, scene.name))
@@ -121,6 +125,11 @@ fn run_in<T: Written>(options: &Options) -> Result<u8, Failure> {
         eprintln!("polhode: {} in {}: {broken}", contestant.card.name, scene.name);
     }
     Ok(u8::from(outcome.broken.is_some()))
+}
+
+/// Whether a file begins like one of this command.
+fn is_own(head: &str) -> bool {
+    is_own_json(head) || head.starts_with(CSV_HEADER)
 }
 
 fn form(options: &Options, contestant: &Contestant) -> Result<Form, Failure> {

@@ -168,5 +168,5 @@ fn a_scheme_in_parts_is_run_gated_and_refused_by_name() {
     }
     let list = stdout(&polhode(&["list", "schemes"]));
     assert!(list.contains("substepped-N-S"));
-    assert!(list.lines().any(|line| line.starts_with(" peskin-rk2 ") && line.contains("peskin2021")));
+    assert!(list.lines().any(|line| line.starts_with("peskin-rk2 ") && line.contains("the note")));
 }

@@ -16,7 +16,7 @@ use self::side::Side;
 use super::Failure;
 use super::output::print;
 use super::progress::with_bar;
-use super::select::{self, Selection};
+use super::select;
 use crate::campaign::{self, Campaign, SECONDS_A_COST};
 use crate::record::Records;
 
@@ -28,9 +28,8 @@ pub(super) struct Options {
     a: String,
     /// Another scheme, or another records file
     b: String,
-    /// Scene to compare in: a built-in name or a TOML file; may be given several times [default: all built-in]
-    #[arg(long = "scene", value_name = "X")]
-    scenes: Vec<String>,
+    #[command(flatten)]
+    scenes: select::Scenes,
 }
 
 const EXAMPLES: &str = "\
@@ -51,7 +50,7 @@ without anything in the scene being better for it; in records files also what wa
 
 pub(super) fn compare(options: &Options, quiet: bool) -> Result<u8, Failure> {
     let (a, b) = sides(options, quiet)?;
-    let cells = Cell::pairs(&a, &b, &options.scenes);
+    let cells = Cell::pairs(&a, &b, &options.scenes.names());
     let rows: Vec<Row> = cells.iter().flat_map(Cell::rows).collect();
     if rows.is_empty() {
         return Err(Failure::Usage(format!("{} and {} have no scene and scheme in common", a.name, b.name)));
@@ -87,7 +86,7 @@ fn sides(options: &Options, quiet: bool) -> Result<(Side, Side), Failure> {
             if options.b != options.a {
                 contestants.push(select::contestant(&options.b)?);
             }
-            let scenes = Selection::of_scenes(options.scenes.clone()).scenes()?;
+            let scenes = options.scenes.open()?;
             let grid = Campaign::of(scenes.clone(), contestants.clone());
             let mut records = with_bar(quiet, "measuring", |progress| Campaign { progress, ..grid }.run());
             campaign::add_costs(&mut records, &scenes, &contestants, SECONDS_A_COST);
