@@ -27,6 +27,9 @@ pub(super) struct Options {
     /// Scheme to ask, or `all`; may be given several times [default: all]
     #[arg(long = "scheme", value_name = "S")]
     schemes: Vec<String>,
+    /// Rows of the table, the cheapest first
+    #[arg(long, value_name = "N", default_value_t = 10)]
+    top: usize,
     /// Form of the answer
     #[arg(long, value_enum, default_value_t = Format::Table)]
     format: Format,
@@ -75,31 +78,50 @@ pub(super) fn advise(options: &Options) -> Result<u8, Failure> {
     };
     let answers = question.ask(&contestants);
     let text = match options.format {
-        Format::Table => in_words(&scene, &question, &answers),
+        Format::Table => in_words(&scene, &question, &answers, options.top),
         Format::Json => in_json(&scene, &question, &answers),
     };
     print(&text)?;
     Ok(u8::from(answers.answers.iter().all(|answer| answer.found.is_err())))
 }
 
-fn in_words(scene: &Scene, question: &Question, answers: &Answers) -> String {
+fn in_words(scene: &Scene, question: &Question, answers: &Answers, top: usize) -> String {
     let unit = question.quantity.unit();
-    let mut text = format!(
-        "{}: {} within {:e} {unit} for {} s\n\n",
-        scene.name,
-        question.quantity.name().replace('-', " "),
-        question.tolerance,
-        question.duration
-    );
+    let quantity = question.quantity.name().replace('-', " ");
     let found: Vec<(&str, &Advice)> = answers
         .answers
         .iter()
         .filter_map(|answer| Some((answer.scheme, answer.found.as_ref().ok()?)))
         .collect();
+    let mut text = match found.iter().find(|(_, advice)| advice.stable) {
+        Some((scheme, advice)) => format!(
+            "Take {scheme} with a step of {} s in {}: {quantity} is off by at most {} {unit} over {} s, asked for {}.\n\n",
+            plain(advice.step),
+            scene.name,
+            short(advice.error),
+            question.duration,
+            plain(question.tolerance)
+        ),
+        None => format!(
+            "{}: {quantity} within {} {unit} for {} s\n\n",
+            scene.name,
+            plain(question.tolerance),
+            question.duration
+        ),
+    };
     if found.is_empty() {
         text += "No scheme that was asked meets this tolerance.\n";
     } else {
-        text += &format!("{}\n", table(unit, &found));
+        let (stable, unstable): (Vec<_>, Vec<_>) =
+            found.iter().copied().partition(|(_, advice)| advice.stable);
+        for (rows, title) in [(&stable, ""), (&unstable, "\nAccurate for this long, and not stable:\n")] {
+            if !rows.is_empty() {
+                text += &format!("{title}{}\n", table(unit, &rows[..rows.len().min(top)]));
+            }
+            if rows.len() > top {
+                text += &format!("{} more: --top {}\n", rows.len() - top, rows.len());
+            }
+        }
         if found.iter().any(|(_, advice)| advice.own_steps) {
             text += "* chooses its own steps; the step given here stands for a tolerance of its own\n";
         }
@@ -128,7 +150,7 @@ fn table(unit: &str, found: &[(&str, &Advice)]) -> Table {
     let mut table = Table::new();
     table.load_preset(presets::UTF8_BORDERS_ONLY).set_content_arrangement(ContentArrangement::Dynamic);
     if !table.is_tty() {
-        table.set_width(170);
+        table.set_width(100);
     }
     table.set_header([
         "",
@@ -140,24 +162,33 @@ fn table(unit: &str, found: &[(&str, &Advice)]) -> Table {
         "forces a second",
         "cost of a second [µs]",
         "energy drift",
-        "stable",
     ]);
     for (place, (scheme, advice)) in found.iter().enumerate() {
         let name = if advice.own_steps { format!("{scheme}*") } else { (*scheme).to_owned() };
         table.add_row([
             (place + 1).to_string(),
             name,
-            format!("{:.6e}", advice.step),
+            plain(advice.step),
             advice.steps.to_string(),
             format!("{:.1e}", advice.error),
             short(advice.turned),
             short(advice.evaluations),
             advice.nanoseconds.map_or("–".to_owned(), |cost| short(cost / 1e3)),
             format!("{:+.1e}", advice.energy),
-            if advice.stable { "yes" } else { "no" }.to_owned(),
         ]);
     }
     table
+}
+
+/// A number with six digits, without a power of ten where it reads well so.
+fn plain(value: f64) -> String {
+    let size = value.abs();
+    if size != 0.0 && !(1e-5..1e7).contains(&size) {
+        return format!("{value:e}");
+    }
+    let decimals = (5.0 - size.max(1e-5).log10().floor()).clamp(0.0, 10.0) as usize;
+    let text = format!("{value:.decimals$}");
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
 /// A number with about three digits, however large or small.

@@ -90,7 +90,7 @@ pub(super) fn sweep(options: &Options, quiet: bool) -> Result<u8, Failure> {
     options.force.try_place(options.out.as_ref(), own_table)?;
     options.force.try_picture(picture.as_deref())?;
     if !quiet {
-        eprintln!("polhode: {runs} runs of {}", scene.name);
+        eprintln!("polhode: {runs} runs of {} under {}", scene.name, options.schemes.join(", "));
     }
     let rows = sweep.run(&contestants);
     let text = csv(&sweep, &rows);
@@ -98,11 +98,39 @@ pub(super) fn sweep(options: &Options, quiet: bool) -> Result<u8, Failure> {
         Some(path) => record::write_whole(path, text.as_bytes())?,
         None => print(&text)?,
     }
+    if !quiet {
+        say(options, &sweep, &rows);
+    }
     if let Some(path) = picture {
         let names = contestants.iter().map(|contestant| contestant.card.name).collect();
-        draw(&Drawn { options, scene: &scene, sweep: &sweep, names, rows: &rows }, &path)?;
+        draw(&Drawn { options, scene: &scene, sweep: &sweep, names, rows: &rows }, &path, quiet)?;
     }
     Ok(0)
+}
+
+/// Which steps were taken, why a column is empty, and where the table is.
+fn say(options: &Options, sweep: &Sweep, rows: &[Row]) {
+    if sweep.axes.iter().all(|axis| axis.key != STEP) {
+        let taken = rows.iter().map(|row| row.step).find(|step| *step > 0.0);
+        let taken = taken.filter(|taken| options.step.is_none_or(|asked| (taken / asked - 1.0).abs() > 1e-9));
+        if let Some(step) = taken {
+            eprintln!("polhode: a step of {step} s, which divides the duration");
+        }
+    }
+    if !sweep.with_errors && options.errors == Errors::Auto {
+        let scenes = sweep.scenes();
+        eprintln!(
+            "polhode: no errors: {scenes} scenes need a reference each, more than {AFFORDABLE}; --errors always"
+        );
+    } else if sweep.with_errors && rows.iter().all(|row| row.error.is_none()) {
+        eprintln!("polhode: no errors: no scene of the sweep has a reference that is certain enough");
+    }
+    if rows.iter().all(|row| row.energy.is_none()) {
+        eprintln!("polhode: no energy: a torque acts, and not every law has a potential");
+    }
+    if let Some(path) = &options.out {
+        eprintln!("polhode: the table is {}", path.display());
+    }
 }
 
 fn plan(options: &Options, scene: &Scene) -> Result<Sweep, Failure> {
@@ -256,7 +284,7 @@ impl Drawn<'_> {
     }
 }
 
-fn draw(drawn: &Drawn, path: &Path) -> Result<(), Failure> {
+fn draw(drawn: &Drawn, path: &Path, quiet: bool) -> Result<(), Failure> {
     let png = match &drawn.sweep.axes[..] {
         [axis] => drawn.lines(axis).png(),
         [up, across] => drawn.map(up, across).png(),
@@ -266,7 +294,11 @@ fn draw(drawn: &Drawn, path: &Path) -> Result<(), Failure> {
         }
     };
     let png = png.map_err(|error| Failure::Usage(error.to_string()))?;
-    Ok(record::write_whole(path, &png)?)
+    record::write_whole(path, &png)?;
+    if !quiet {
+        eprintln!("polhode: the picture is {}", path.display());
+    }
+    Ok(())
 }
 
 /// The range of the colours: from the least number to the largest, but not where runs have left the motion for good.
