@@ -10,7 +10,7 @@ use super::progress::with_bar;
 use super::select::Selection;
 use crate::campaign::Campaign;
 use crate::gates::{self, Baseline};
-use crate::record::{self, Records};
+use crate::record::{self, ClaimName, Records, Verdict};
 use crate::report;
 
 /// Options of `polhode gate`.
@@ -111,5 +111,16 @@ fn has_partners(baseline: &Baseline, records: &Records) -> bool {
         let (all, missing) = (pairs.len(), pairs.len() - found);
         eprintln!("baseline: {missing} of {all} pairs of a scene and a scheme have no partner here");
     }
-    found > 0
+    if found == 0 {
+        eprintln!("polhode: nothing was compared with the baseline: no scene and scheme of it was measured");
+        return false;
+    }
+    let measured = || records.orders.iter().filter(|row| row.constant.is_some());
+    let compared = measured().filter(|row| {
+        let is_of =
+            |v: &&Verdict| (&v.scene, &v.scheme, &v.quantity) == (&row.scene, &row.scheme, &row.quantity);
+        records.verdicts.iter().filter(is_of).any(|v| v.claim == ClaimName::Constant && v.measured.is_some())
+    });
+    eprintln!("baseline: {} of {} constants compared", compared.count(), measured().count());
+    true
 }

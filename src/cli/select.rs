@@ -45,7 +45,18 @@ impl Scenes {
         if names.is_empty() {
             return Ok(scenes::built_in());
         }
-        Ok(names.iter().map(|name| Scene::find(name)).collect::<Result<_, _>>()?)
+        let scenes: Vec<Scene> = names.iter().map(|name| Scene::find(name)).collect::<Result<_, _>>()?;
+        for (index, scene) in scenes.iter().enumerate() {
+            // Rows of records are found by the name of the scene.
+            if let Some(other) = scenes[..index].iter().position(|other| other.name == scene.name) {
+                let (first, second) = (&names[other], &names[index]);
+                return Err(Failure::Model(format!(
+                    "two scenes are called '{}': {first} and {second}",
+                    scene.name
+                )));
+            }
+        }
+        Ok(scenes)
     }
 }
 

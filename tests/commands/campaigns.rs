@@ -56,6 +56,52 @@ fn a_green_gate_is_a_line_a_scheme_and_a_summary_and_a_red_one_a_line_more_a_sce
 }
 
 #[test]
+fn a_comparison_with_nothing_is_2_and_says_so() {
+    let folder = scratch();
+    let records = |scene: &str| {
+        let path = folder.path().join(format!("{scene}.json")).to_string_lossy().into_owned();
+        let gate = ["gate", "--quiet", "--scheme", "peskin-rk2", "--scene", scene, "--json", &path];
+        assert_eq!(code(&polhode(&gate)), 0);
+        path
+    };
+    let (rod, oblate) = (records("free-rod"), records("free-oblate"));
+    let gate = |baseline: &str| {
+        polhode(&["gate", "--quiet", "--scheme", "peskin-rk2", "--scene", "free-rod", "--baseline", baseline])
+    };
+    let matched = gate(&rod);
+    assert_eq!(code(&matched), 0, "{}", stderr(&matched));
+    let said = stderr(&matched);
+    let counts: Vec<usize> = said.split(' ').filter_map(|word| word.parse().ok()).collect();
+    assert!(
+        said.contains("constants compared") && counts.len() == 2 && counts[0] == counts[1] && counts[0] > 0,
+        "{said}"
+    );
+    let unmatched = gate(&oblate);
+    assert_eq!(code(&unmatched), 2);
+    assert!(stderr(&unmatched).contains("nothing was compared with the baseline"), "{}", stderr(&unmatched));
+    let compared = polhode(&["compare", &rod, &oblate]);
+    assert_eq!(code(&compared), 2);
+    assert!(stderr(&compared).contains("nothing was compared"), "{}", stderr(&compared));
+}
+
+#[test]
+fn two_scenes_of_one_name_are_bad_input() {
+    let folder = scratch();
+    let path = folder.path().join("mine.toml").to_string_lossy().into_owned();
+    let scene = "name = \"free-rod\"\nduration = 1.0\n[body]\nmass = 1.0\ninertia = [1, 1, 1]\n";
+    fs::write(&path, scene).expect("written");
+    for command in [
+        vec!["gate", "--scheme", "euler", "--scene", &path, "--scene", "free-rod"],
+        vec!["gate", "--scheme", "euler", "free-rod", "--scene", "free-rod"],
+        vec!["compare", "euler", "peskin-rk2", "free-rod", &path],
+    ] {
+        let output = polhode(&command);
+        assert_eq!(code(&output), 65, "{command:?}: {}", stderr(&output));
+        assert!(stderr(&output).contains("two scenes are called 'free-rod'"), "{}", stderr(&output));
+    }
+}
+
+#[test]
 fn one_thread_and_two_give_the_same_numbers_to_the_last_bit() {
     let folder = scratch();
     let records = |name: &str, jobs: &str| {
