@@ -1,7 +1,7 @@
 //! `polhode advise`: which scheme and which step for a tolerance.
 
 use clap::{Args, ValueEnum};
-use comfy_table::{ContentArrangement, Table, presets};
+use comfy_table::{ColumnConstraint, ContentArrangement, Table, presets};
 use serde_json::{Value, json};
 
 use super::output::print;
@@ -150,7 +150,7 @@ fn table(unit: &str, found: &[(&str, &Advice)]) -> Table {
     let mut table = Table::new();
     table.load_preset(presets::UTF8_BORDERS_ONLY).set_content_arrangement(ContentArrangement::Dynamic);
     if !table.is_tty() {
-        table.set_width(100);
+        table.set_width(120);
     }
     table.set_header([
         "",
@@ -163,6 +163,10 @@ fn table(unit: &str, found: &[(&str, &Advice)]) -> Table {
         "cost of a second [µs]",
         "energy drift",
     ]);
+    // Names stand whole, to be copied.
+    if let Some(column) = table.column_mut(1) {
+        column.set_constraint(ColumnConstraint::ContentWidth);
+    }
     for (place, (scheme, advice)) in found.iter().enumerate() {
         let name = if advice.own_steps { format!("{scheme}*") } else { (*scheme).to_owned() };
         table.add_row([

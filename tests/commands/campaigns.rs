@@ -64,11 +64,20 @@ fn a_comparison_with_nothing_is_2_and_says_so() {
         assert_eq!(code(&polhode(&gate)), 0);
         path
     };
-    let (rod, oblate) = (records("free-rod"), records("free-oblate"));
+    let (own, other) = (records("kovalevskaya"), records("free-asymmetric"));
     let gate = |baseline: &str| {
-        polhode(&["gate", "--quiet", "--scheme", "peskin-rk2", "--scene", "free-rod", "--baseline", baseline])
+        polhode(&[
+            "gate",
+            "--quiet",
+            "--scheme",
+            "peskin-rk2",
+            "--scene",
+            "kovalevskaya",
+            "--baseline",
+            baseline,
+        ])
     };
-    let matched = gate(&rod);
+    let matched = gate(&own);
     assert_eq!(code(&matched), 0, "{}", stderr(&matched));
     let said = stderr(&matched);
     let counts: Vec<usize> = said.split(' ').filter_map(|word| word.parse().ok()).collect();
@@ -76,10 +85,10 @@ fn a_comparison_with_nothing_is_2_and_says_so() {
         said.contains("constants compared") && counts.len() == 2 && counts[0] == counts[1] && counts[0] > 0,
         "{said}"
     );
-    let unmatched = gate(&oblate);
+    let unmatched = gate(&other);
     assert_eq!(code(&unmatched), 2);
     assert!(stderr(&unmatched).contains("nothing was compared with the baseline"), "{}", stderr(&unmatched));
-    let compared = polhode(&["compare", &rod, &oblate]);
+    let compared = polhode(&["compare", &own, &other]);
     assert_eq!(code(&compared), 2);
     assert!(stderr(&compared).contains("nothing was compared"), "{}", stderr(&compared));
 }
