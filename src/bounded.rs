@@ -7,6 +7,7 @@ use std::path::Path;
 /// Most bytes of a scene file, a mesh of 3e5 mass points.
 pub const MOST_OF_A_SCENE: u64 = 64 << 20;
 /// Most bytes of a trajectory file, 4e6 rows of fourteen columns.
+#[cfg(feature = "cli")]
 pub const MOST_OF_A_LOG: u64 = 1 << 30;
 /// Most bytes of a records file: a hundred times those of every scheme in every scene.
 pub const MOST_OF_RECORDS: u64 = 4 << 30;

@@ -87,9 +87,9 @@ fn run_in<T: Written>(options: &Options, quiet: bool) -> Result<u8, Failure> {
     let contestant = select::contestant(&options.scheme)?;
     let scene = Scene::find(options.scene.name())?;
     let plan = plan(options, &scene)?;
-    let taken = (plan.step / options.step.unwrap_or(f64::NAN) - 1.0).abs();
     // A step that divides the duration to rounding is the one asked for.
-    if !quiet && options.steps.is_none() && !(taken <= 1e-9) {
+    let as_asked = options.step.is_some_and(|step| (plan.step / step - 1.0).abs() <= 1e-9);
+    if !quiet && options.steps.is_none() && !as_asked {
         eprintln!("polhode: {} with a step of {} s, {} steps", options.scheme, plan.step, plan.steps);
     }
     let cannot = |reason: &str| {
