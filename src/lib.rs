@@ -22,6 +22,7 @@
 
 mod interrupt;
 mod words;
+mod bounded;
 mod quantity;
 mod claim;
 mod arithmetic;

@@ -2,7 +2,7 @@
 
 use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueEnum};
-use comfy_table::{ContentArrangement, Table, presets};
+use comfy_table::{ColumnConstraint, ContentArrangement, Table, presets};
 use serde_json::{Value, json};
 
 use super::output::print;
@@ -15,8 +15,8 @@ use crate::study::advice::{Advice, Answer, Answers, Question, QuestionError, SAM
 #[derive(Args, Clone, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Options {
-    /// Built-in name or TOML file
-    scene: String,
+    #[command(flatten)]
+    scene: select::OneScene,
     /// Largest error that is allowed anywhere in the run, in the unit of the quantity
     #[arg(long, value_name = "E", allow_negative_numbers = true)]
     tolerance: f64,
@@ -33,6 +33,9 @@ pub(super) struct Options {
     #[arg(long, value_name = "A", default_value = Precision::F64.name(),
         value_parser = PossibleValuesParser::new([Precision::F64, Precision::F32].map(Precision::name)))]
     precision: String,
+    /// Rows of the table, the cheapest first
+    #[arg(long, value_name = "N", default_value_t = 10)]
+    top: usize,
     /// Form of the answer
     #[arg(long, value_enum, default_value_t = Format::Table)]
     format: Format,
@@ -69,7 +72,7 @@ pub(super) fn advise(options: &Options) -> Result<u8, Failure> {
             quantity.unit()
         )));
     }
-    let scene = Scene::find(&options.scene)?;
+    let scene = Scene::find(options.scene.name())?;
     let duration = options.duration.unwrap_or(scene.duration);
     if !(duration > 0.0 && duration.is_finite()) {
         return Err(Failure::Usage(format!("--duration {duration}: expected a positive number of seconds")));
@@ -85,33 +88,53 @@ pub(super) fn advise(options: &Options) -> Result<u8, Failure> {
     };
     let answers = question.ask(&contestants);
     let text = match options.format {
-        Format::Table => in_words(&scene, &question, &answers),
+        Format::Table => in_words(&scene, &question, &answers, options.top),
         Format::Json => in_json(&scene, &question, &answers),
     };
     print(&text)?;
     Ok(u8::from(answers.answers.iter().all(|answer| answer.found.is_err())))
 }
 
-fn in_words(scene: &Scene, question: &Question, answers: &Answers) -> String {
+fn in_words(scene: &Scene, question: &Question, answers: &Answers, top: usize) -> String {
     let unit = question.quantity.unit();
-    let mut text = format!(
-        "{}: {} within {:e} {unit} for {} s, in {}\n\n",
-        scene.name,
-        question.quantity.name().replace('-', " "),
-        question.tolerance,
-        question.duration,
-        question.precision.name()
-    );
+    let quantity = question.quantity.name().replace('-', " ");
     let found: Vec<(&str, &Advice)> = answers
         .answers
         .iter()
         .filter_map(|answer| Some((answer.scheme, answer.found.as_ref().ok()?)))
         .collect();
+    let mut text = match found.iter().find(|(_, advice)| advice.stable) {
+        Some((scheme, advice)) => format!(
+            "Take {scheme} in {} with a step of {} s in {}: {quantity} is off by at most {} {unit} over {} s, asked for {}.\n\n",
+            question.precision.name(),
+            plain(advice.step),
+            scene.name,
+            short(advice.error),
+            question.duration,
+            plain(question.tolerance)
+        ),
+        None => format!(
+            "{}: {quantity} within {} {unit} for {} s, in {}\n\n",
+            scene.name,
+            plain(question.tolerance),
+            question.duration,
+            question.precision.name()
+        ),
+    };
     if found.is_empty() {
         text += "No scheme that was asked meets this tolerance.\n";
         text += &nearest(question, answers);
     } else {
-        text += &format!("{}\n", table(unit, &found));
+        let (stable, unstable): (Vec<_>, Vec<_>) =
+            found.iter().copied().partition(|(_, advice)| advice.stable);
+        for (rows, title) in [(&stable, ""), (&unstable, "\nAccurate for this long, and not stable:\n")] {
+            if !rows.is_empty() {
+                text += &format!("{title}{}\n", table(unit, &rows[..rows.len().min(top)]));
+            }
+            if rows.len() > top {
+                text += &format!("{} more: --top {}\n", rows.len() - top, rows.len());
+            }
+        }
         if found.iter().any(|(_, advice)| advice.own_steps) {
             text += "* chooses its own steps; the step given here stands for a tolerance of its own\n";
         }
@@ -155,7 +178,7 @@ fn table(unit: &str, found: &[(&str, &Advice)]) -> Table {
     let mut table = Table::new();
     table.load_preset(presets::UTF8_BORDERS_ONLY).set_content_arrangement(ContentArrangement::Dynamic);
     if !table.is_tty() {
-        table.set_width(170);
+        table.set_width(120);
     }
     table.set_header([
         "",
@@ -167,24 +190,37 @@ fn table(unit: &str, found: &[(&str, &Advice)]) -> Table {
         "forces a second",
         "cost of a second [µs]",
         "energy drift",
-        "stable",
     ]);
+    // Names stand whole, to be copied.
+    if let Some(column) = table.column_mut(1) {
+        column.set_constraint(ColumnConstraint::ContentWidth);
+    }
     for (place, (scheme, advice)) in found.iter().enumerate() {
         let name = if advice.own_steps { format!("{scheme}*") } else { (*scheme).to_owned() };
         table.add_row([
             (place + 1).to_string(),
             name,
-            format!("{:.6e}", advice.step),
+            plain(advice.step),
             advice.steps.to_string(),
             format!("{:.1e}", advice.error),
             short(advice.turned),
             short(advice.evaluations),
             advice.nanoseconds.map_or("–".to_owned(), |cost| short(cost / 1e3)),
             format!("{:+.1e}", advice.energy),
-            if advice.stable { "yes" } else { "no" }.to_owned(),
         ]);
     }
     table
+}
+
+/// A number with six digits, without a power of ten where it reads well so.
+fn plain(value: f64) -> String {
+    let size = value.abs();
+    if size != 0.0 && !(1e-5..1e7).contains(&size) {
+        return format!("{value:e}");
+    }
+    let decimals = (5.0 - size.max(1e-5).log10().floor()).clamp(0.0, 10.0) as usize;
+    let text = format!("{value:.decimals$}");
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
 /// A number with about three digits, however large or small.

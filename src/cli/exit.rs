@@ -43,6 +43,9 @@ pub enum Failure {
         /// What the system said.
         source: std::io::Error,
     },
+    /// The reader of standard output has gone away, as `head` does: no failure.
+    #[error("stdout: the reader has gone")]
+    ReaderGone,
     /// An engine that cannot be run.
     #[error(transparent)]
     Engine(#[from] EngineError),
@@ -58,6 +61,7 @@ impl Failure {
     /// The exit code.
     pub fn code(&self) -> u8 {
         match self {
+            Failure::ReaderGone => 0,
             Failure::Engine(_) => ENGINE,
             Failure::Usage(_) | Failure::Scene(SceneError::Unknown { .. }) => USAGE,
             Failure::Scene(SceneError::Unreadable { .. }) | Failure::Judge(JudgeError::Unreadable { .. }) => {
@@ -65,7 +69,9 @@ impl Failure {
             }
             Failure::Judge(JudgeError::Content { .. }) => BAD_INPUT,
             Failure::Scene(_) | Failure::Record(RecordError::Format { .. }) | Failure::Model(_) => BAD_INPUT,
-            Failure::Record(RecordError::File { .. }) | Failure::Report(_) | Failure::Write { .. } => FILE,
+            Failure::Record(RecordError::File { .. } | RecordError::Foreign { .. })
+            | Failure::Report(_)
+            | Failure::Write { .. } => FILE,
         }
     }
 }

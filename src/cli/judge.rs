@@ -7,7 +7,7 @@ use clap::{Args, ValueEnum};
 use comfy_table::{ContentArrangement, Table, presets};
 
 use super::Failure;
-use super::output::print;
+use super::output::{Force, print};
 use crate::log::{self, Convention, Judgement};
 use crate::model::Quantity;
 use crate::record::{self, Records, SCHEMA};
@@ -38,6 +38,8 @@ pub(super) struct Options {
     /// Write the records
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
+    #[command(flatten)]
+    force: Force,
 }
 
 const EXAMPLES: &str = "\
@@ -75,6 +77,7 @@ fn quantity(text: &str) -> Result<Quantity, String> {
 }
 
 pub(super) fn judge(options: &Options) -> Result<u8, Failure> {
+    options.force.try_json(options.json.as_ref())?;
     let scene = Scene::find(&options.scene)?;
     let declared = Convention {
         spin_in_body_axes: options.angular_velocity == Axes::Body,

@@ -114,6 +114,7 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     };
     match dispatch(arguments) {
         Ok(code) => code,
+        Err(Failure::ReaderGone) => 0,
         // A run whose output cannot be written is ended the same way, and says why.
         Err(failure) if crate::interrupt::requested() && !matches!(failure, Failure::Write { .. }) => {
             exit::INTERRUPTED
@@ -140,7 +141,7 @@ fn dispatch(arguments: Arguments) -> Result<u8, Failure> {
         Command::Report(options) => report::report(&options, everywhere.quiet),
         Command::Gate(options) => gate::gate(&options, everywhere.quiet),
         Command::Compare(options) => compare::compare(&options, everywhere.quiet),
-        Command::Run(options) => run::run(&options),
+        Command::Run(options) => run::run(&options, everywhere.quiet),
         Command::Advise(options) => advise::advise(&options),
         Command::Sweep(options) => sweep::sweep(&options, everywhere.quiet),
         Command::Engine(options) => engine::engine(&options, everywhere.quiet),

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::output::print;
-use super::{Failure, exit};
+use super::output::{Force, print};
+use super::{Failure, exit, select};
 use crate::model::Quantity;
 use crate::ode::SolverError;
 use crate::record;
@@ -18,14 +18,16 @@ use crate::scenes::Scene;
 #[derive(Args, Clone, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Options {
-    /// Built-in name or TOML file
-    scene: String,
+    #[command(flatten)]
+    scene: select::OneScene,
     /// Significant digits, at most 30
     #[arg(long, value_name = "N", default_value_t = 25, value_parser = digits)]
     digits: usize,
     /// Write the solution as a file for references/solutions too
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
+    #[command(flatten)]
+    force: Force,
 }
 
 const EXAMPLES: &str = "\
@@ -50,7 +52,8 @@ fn digits(text: &str) -> Result<usize, String> {
 }
 
 pub(super) fn reference(options: &Options, quiet: bool) -> Result<u8, Failure> {
-    let scene = Scene::find(&options.scene)?;
+    options.force.try_json(options.out.as_ref())?;
+    let scene = Scene::find(options.scene.name())?;
     let times = [0.25, 0.5, 0.75, 1.0].map(|part| part * scene.duration);
     let motion = match precise::solve(&scene.system, &times, PATIENCE) {
         Ok(motion) => motion,

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::Failure;
-use super::output::print;
+use super::output::{Force, print};
 use super::progress::{with_bar, with_tasks};
 use super::select::Selection;
 use crate::campaign::{Sizes, Survey};
@@ -13,12 +13,14 @@ use crate::gates;
 use crate::report;
 
 /// Options of `polhode report`.
-#[derive(Args, Clone, Debug)]
+#[derive(Args, Clone, Debug, Default)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Options {
-    /// Folder to write into
-    #[arg(long, value_name = "DIR", default_value = "reports/latest")]
-    out: PathBuf,
+    /// Folder to write into [default: reports/latest; reports/<subject> where scenes or schemes are named]
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    #[command(flatten)]
+    force: Force,
     #[command(flatten)]
     selection: Selection,
     /// Every scheme in every scene
@@ -29,16 +31,10 @@ pub(super) struct Options {
     brief: bool,
 }
 
-impl Default for Options {
-    fn default() -> Options {
-        Options { out: "reports/latest".into(), selection: Selection::default(), full: false, brief: false }
-    }
-}
-
 const EXAMPLES: &str = "\
 Examples:
   polhode report                                   into reports/latest: index.html, report.md, plots
-  polhode report --scene kovalevskaya --out top
+  polhode report kovalevskaya                      into reports/kovalevskaya
   polhode report --scene my-body.toml --scheme peskin-rk2";
 
 /// The selection; where nothing was named every scheme in three scenes, too, and costs against size.
@@ -56,13 +52,21 @@ fn survey(options: &Options) -> Result<Survey<'static>, Failure> {
 
 pub(super) fn report(options: &Options, quiet: bool) -> Result<u8, Failure> {
     let survey = survey(options)?;
+    let whole = match (options.full, options.brief) {
+        (false, false) => "latest",
+        (true, _) => "full",
+        (false, true) => "brief",
+    };
+    let out = options.out.clone().unwrap_or_else(|| options.selection.folder(whole));
+    let pages = if options.brief { &["report.md"][..] } else { &["report.md", "index.html", "records.csv"] };
+    report::try_folder(&out, "records.json", pages, options.force.given)?;
     let records = with_tasks(quiet, |progress| Survey { progress, ..survey }.run());
     let write = if options.brief { report::write_brief } else { report::write };
-    with_bar(quiet, "drawing", |progress| write(&records, &options.out, progress))?;
+    with_bar(quiet, "drawing", |progress| write(&records, &out, progress))?;
     print(&report::verdict_table(&records, false))?;
     if !quiet {
         let page = if options.brief { "report.md" } else { "index.html" };
-        eprintln!("polhode: the report is {}", options.out.join(page).display());
+        eprintln!("polhode: the report is {}", out.join(page).display());
     }
     Ok(gates::exit_code(&records.verdicts))
 }

@@ -7,10 +7,12 @@ use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueEnum};
 use serde_json::json;
 
+use super::output::Force;
 use super::{Failure, select};
 use crate::arithmetic::{DoubleDouble, Real, Single};
+use crate::campaign;
 use crate::model::{Snapshot, System, SystemError};
-use crate::record::{RunStatus, WholeFile};
+use crate::record::{RunStatus, WholeFile, is_own_json};
 use crate::reference::precise::{self, decimal};
 use crate::scenes::Scene;
 use crate::simulate::{Arithmetic, Contestant, Form, Outcome, Plan, Precision};
@@ -19,19 +21,13 @@ use crate::simulate::{Arithmetic, Contestant, Form, Outcome, Plan, Precision};
 #[derive(Args, Clone, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Options {
-    /// Built-in name or TOML file
-    scene: String,
+    #[command(flatten)]
+    scene: select::OneScene,
     /// Scheme, or substepped-N-S for the scheme S in N equal parts of every step
-    #[arg(long, value_name = "S")]
+    #[arg(long, value_name = "S", default_value = "peskin-rk2")]
     scheme: String,
-    /// Time step [s]; must divide the duration
-    #[arg(
-        long,
-        value_name = "H",
-        required_unless_present = "steps",
-        conflicts_with = "steps",
-        allow_negative_numbers = true
-    )]
+    /// Time step [s]; the nearest that divides the duration is taken [default: a turn of 0.05 rad, a 512th of the duration at most]
+    #[arg(long, value_name = "H", conflicts_with = "steps", allow_negative_numbers = true)]
     step: Option<f64>,
     /// Number of equal steps
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
@@ -54,10 +50,13 @@ pub(super) struct Options {
     /// File to write instead of stdout
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
+    #[command(flatten)]
+    force: Force,
 }
 
 const EXAMPLES: &str = "\
 Examples:
+  polhode run dzhanibekov --format csv
   polhode run dzhanibekov --scheme peskin-rk2 --step 0.01 --every 10
   polhode run my-body.toml --scheme euler --steps 1000 --format csv --out run.csv
   polhode run kovalevskaya --scheme peskin-rk2 --steps 600 --model points
@@ -75,18 +74,24 @@ enum Format {
     Csv,
 }
 
-pub(super) fn run(options: &Options) -> Result<u8, Failure> {
+pub(super) fn run(options: &Options, quiet: bool) -> Result<u8, Failure> {
     match Precision::named(&options.precision).unwrap_or_default() {
-        Precision::F64 => run_in::<f64>(options),
-        Precision::F32 => run_in::<Single>(options),
-        Precision::DoubleDouble => run_in::<DoubleDouble>(options),
+        Precision::F64 => run_in::<f64>(options, quiet),
+        Precision::F32 => run_in::<Single>(options, quiet),
+        Precision::DoubleDouble => run_in::<DoubleDouble>(options, quiet),
     }
 }
 
-fn run_in<T: Written>(options: &Options) -> Result<u8, Failure> {
+fn run_in<T: Written>(options: &Options, quiet: bool) -> Result<u8, Failure> {
+    options.force.try_place(options.out.as_ref(), is_own)?;
     let contestant = select::contestant(&options.scheme)?;
-    let scene = Scene::find(&options.scene)?;
-    let plan = plan(options, scene.duration)?;
+    let scene = Scene::find(options.scene.name())?;
+    let plan = plan(options, &scene)?;
+    // A step that divides the duration to rounding is the one asked for.
+    let as_asked = options.step.is_some_and(|step| (plan.step / step - 1.0).abs() <= 1e-9);
+    if !quiet && options.steps.is_none() && !as_asked {
+        eprintln!("polhode: {} with a step of {} s, {} steps", options.scheme, plan.step, plan.steps);
+    }
     let cannot = |reason: &str| {
         Failure::Model(format!("{} cannot take {}: {reason}", contestant.card.name, scene.name))
     };
@@ -105,7 +110,11 @@ fn run_in<T: Written>(options: &Options) -> Result<u8, Failure> {
         None => &mut stdout,
     };
     let name = options.out.as_ref().map_or("stdout".to_owned(), |path| path.display().to_string());
-    let fail = |source| Failure::Write { name, source };
+    let to_stdout = options.out.is_none();
+    let fail = |source: io::Error| match source.kind() {
+        io::ErrorKind::BrokenPipe if to_stdout => Failure::ReaderGone,
+        _ => Failure::Write { name, source },
+    };
     let heading = heading::<T>(options.format, &scene.name, contestant.card.name, model, &plan);
     let mut writer =
         StateWriter { sink, system: &system, plan, count: 0, failed: None, format: options.format, heading };
@@ -121,6 +130,11 @@ fn run_in<T: Written>(options: &Options) -> Result<u8, Failure> {
         eprintln!("polhode: {} in {}: {broken}", contestant.card.name, scene.name);
     }
     Ok(u8::from(outcome.broken.is_some()))
+}
+
+/// Whether a file begins like one of this command.
+fn is_own(head: &str) -> bool {
+    is_own_json(head) || head.starts_with(CSV_HEADER)
 }
 
 fn form(options: &Options, contestant: &Contestant) -> Result<Form, Failure> {
@@ -171,20 +185,20 @@ impl Written for DoubleDouble {
 /// Digits of a double-double number.
 const DIGITS: usize = 32;
 
-/// The steps of a run: H must divide the duration to rounding.
-fn plan(options: &Options, own_duration: f64) -> Result<Plan, Failure> {
-    let duration = options.duration.unwrap_or(own_duration);
+/// The steps of a run.
+fn plan(options: &Options, scene: &Scene) -> Result<Plan, Failure> {
+    let duration = options.duration.unwrap_or(scene.duration);
     if !(duration > 0.0 && duration.is_finite()) {
         return Err(Failure::Usage(format!("--duration {duration}: expected a positive number of seconds")));
     }
-    let steps = match (options.steps, options.step) {
-        (Some(steps), _) => steps,
-        (None, Some(step)) => steps_of(step, duration)?,
-        (None, None) => return Err(Failure::Usage("one of --step and --steps is needed".to_owned())),
+    let steps = match options.steps {
+        Some(steps) => steps,
+        None => steps_of(options.step.unwrap_or_else(|| campaign::typical_step(scene)), duration)?,
     };
     Ok(Plan { step: duration / steps as f64, steps, every: options.every })
 }
 
+/// The number of steps that makes them nearest to the one asked for.
 fn steps_of(step: f64, duration: f64) -> Result<u64, Failure> {
     if !(step > 0.0 && step.is_finite()) {
         return Err(Failure::Usage(format!("--step {step}: expected a positive number of seconds")));
@@ -193,19 +207,9 @@ fn steps_of(step: f64, duration: f64) -> Result<u64, Failure> {
     if ratio > 1e15 {
         return Err(Failure::Usage(format!("--step {step}: {ratio:e} steps are too many")));
     }
-    let nearest = ratio.round();
-    if nearest >= 1.0 && (ratio - nearest).abs() <= 1e-9 * nearest {
-        return Ok(nearest as u64);
-    }
+    let off = |steps: f64| (duration / steps - step).abs();
     let (fewer, more) = (ratio.floor().max(1.0), ratio.ceil().max(1.0));
-    let nearby = if fewer == more {
-        format!("--step {}", duration / fewer)
-    } else {
-        format!("--step {} ({fewer} steps) or --step {} ({more} steps)", duration / fewer, duration / more)
-    };
-    Err(Failure::Usage(format!(
-        "--step {step} does not divide the duration of {duration} s; the nearest that do: {nearby}"
-    )))
+    Ok(if off(fewer) < off(more) { fewer } else { more } as u64)
 }
 
 /// Writes states as they come.

@@ -1,5 +1,7 @@
 //! From names on the command line to scenes, schemes and quantities.
 
+use std::path::{Path, PathBuf};
+
 use clap::Args;
 
 use super::Failure;
@@ -16,20 +18,95 @@ pub(super) struct Selection {
     /// ones]
     #[arg(long = "scheme", value_name = "S")]
     schemes: Vec<String>,
-    /// Scene to measure in: a built-in name or a TOML file; may be given several times [default: all built-in]
+    #[command(flatten)]
+    scenes: Scenes,
+}
+
+/// Scenes, by position or by `--scene`.
+#[derive(Args, Clone, Debug, Default)]
+pub(super) struct Scenes {
+    /// Scenes: built-in names or TOML files [default: all built-in]
+    #[arg(value_name = "SCENE")]
+    places: Vec<String>,
+    /// The same; may be given several times
     #[arg(long = "scene", value_name = "X")]
-    scenes: Vec<String>,
+    named: Vec<String>,
+}
+
+impl Scenes {
+    /// The names, those by position first.
+    pub(super) fn names(&self) -> Vec<String> {
+        self.places.iter().chain(&self.named).cloned().collect()
+    }
+
+    /// The scenes; every built-in one where none is named.
+    pub(super) fn open(&self) -> Result<Vec<Scene>, Failure> {
+        let names = self.names();
+        if names.is_empty() {
+            return Ok(scenes::built_in());
+        }
+        let scenes: Vec<Scene> = names.iter().map(|name| Scene::find(name)).collect::<Result<_, _>>()?;
+        for (index, scene) in scenes.iter().enumerate() {
+            // Rows of records are found by the name of the scene.
+            if let Some(other) = scenes[..index].iter().position(|other| other.name == scene.name) {
+                let (first, second) = (&names[other], &names[index]);
+                return Err(Failure::Model(format!(
+                    "two scenes are called '{}': {first} and {second}",
+                    scene.name
+                )));
+            }
+        }
+        Ok(scenes)
+    }
+}
+
+/// One scene, by position or by `--scene`.
+#[derive(Args, Clone, Debug)]
+#[group(required = true, multiple = false)]
+pub(super) struct OneScene {
+    /// Built-in name or TOML file
+    #[arg(value_name = "SCENE")]
+    place: Option<String>,
+    /// The same
+    #[arg(long = "scene", value_name = "X")]
+    named: Option<String>,
+}
+
+impl OneScene {
+    /// The name or path.
+    pub(super) fn name(&self) -> &str {
+        self.place.as_deref().or(self.named.as_deref()).unwrap_or_default()
+    }
 }
 
 impl Selection {
-    /// Scenes of these names, and the main schemes.
-    pub(super) fn of_scenes(scenes: Vec<String>) -> Selection {
-        Selection { schemes: Vec::new(), scenes }
-    }
-
     /// Whether nothing was named.
     pub(super) fn is_default(&self) -> bool {
-        self.schemes.is_empty() && self.scenes.is_empty()
+        self.schemes.is_empty() && self.scenes.names().is_empty()
+    }
+
+    /// The folder of a report where none is named: `whole` for the default scenes and schemes, else by what was named.
+    pub(super) fn folder(&self, whole: &str) -> PathBuf {
+        Path::new("reports").join(if self.is_default() { whole.to_owned() } else { self.subject() })
+    }
+
+    /// What was named, as the name of a folder.
+    fn subject(&self) -> String {
+        let names: Vec<String> =
+            self.scenes.names().into_iter().chain(self.schemes.iter().cloned()).collect();
+        let whole = names.join("_");
+        let safe =
+            |letter: char| if letter.is_ascii_alphanumeric() || "-_".contains(letter) { letter } else { '-' };
+        let mut subject: String = whole.trim_end_matches(".toml").chars().map(safe).collect();
+        let taken = ["latest", "full", "brief", "published", "engines"].contains(&subject.as_str());
+        if taken || subject.len() > MOST_OF_A_SUBJECT {
+            // A folder by number: two long lists that begin alike are two subjects.
+            let number =
+                whole.bytes().fold(0u32, |number, byte| number.wrapping_mul(31).wrapping_add(byte.into()));
+            subject.truncate(MOST_OF_A_SUBJECT);
+            subject += &format!("-{number:08x}");
+        }
+        subject.trim_start_matches('-').to_owned()
     }
 
     /// Whether schemes were named.
@@ -49,10 +126,7 @@ impl Selection {
     }
 
     pub(super) fn scenes(&self) -> Result<Vec<Scene>, Failure> {
-        if self.scenes.is_empty() {
-            return Ok(scenes::built_in());
-        }
-        Ok(self.scenes.iter().map(|name| Scene::find(name)).collect::<Result<_, _>>()?)
+        self.scenes.open()
     }
 }
 
@@ -73,14 +147,16 @@ pub(super) fn quantity(name: &str) -> Result<Quantity, Failure> {
     })
 }
 
-/// ", did you mean …?" where a known name is near a mistyped one, or nothing.
+/// ", did you mean …?" with the three nearest of the known names.
 pub(super) fn meant<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> String {
-    let near = known.map(|one| (strsim::damerau_levenshtein(name, one), one)).min();
-    match near {
-        Some((distance, one)) if distance <= 1 + name.len() / 3 => format!(", did you mean {one}?"),
-        _ => String::new(),
+    match scenes::one_of(&scenes::three_nearest(name, known)) {
+        near if near.is_empty() => String::new(),
+        near => format!(", did you mean {near}?"),
     }
 }
+
+/// Letters of a folder's name that say what it is about.
+const MOST_OF_A_SUBJECT: usize = 80;
 
 /// Most parts of a step that a name may ask for.
 const MOST_PARTS: u32 = 64;
@@ -99,7 +175,6 @@ pub(super) fn contestant(name: &str) -> Result<Contestant, Failure> {
         return substepped(name, parts, base);
     }
     let names: Vec<&str> = all.iter().map(|contestant| contestant.card.name).collect();
-    let known = names.join(", ");
     if let Some(command) = name.strip_prefix(engine::PREFIX) {
         return Ok(Engine::open(command)?.contestant(name));
     }
@@ -108,7 +183,12 @@ pub(super) fn contestant(name: &str) -> Result<Contestant, Failure> {
         None if name.contains([' ', '/']) || name == "engine" => Err(Failure::Usage(format!(
             "no scheme '{name}'; a program of your own is --scheme 'engine:python3 my_engine.py'"
         ))),
-        None => Err(Failure::Usage(format!("no scheme '{name}'; schemes: {known}; {SUBSTEPS}"))),
+        None => {
+            let meant = meant(name, names.into_iter());
+            Err(Failure::Usage(format!(
+                "no scheme '{name}'{meant} `polhode list schemes` shows all; {SUBSTEPS}"
+            )))
+        }
     }
 }
 

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::Failure;
-use super::output::print;
+use super::output::{Force, print};
 use super::progress::with_bar;
 use super::select::Selection;
 use crate::campaign;
@@ -23,8 +23,14 @@ pub(super) struct Options {
     #[command(flatten)]
     selection: Selection,
     /// Folder to write into
-    #[arg(long, value_name = "DIR", default_value = "reports/latest/stability")]
-    out: PathBuf,
+    #[arg(
+        long,
+        value_name = "DIR",
+        help = "Folder to write into [default: reports/latest/stability, reports/<subject>/stability where scenes or schemes are named]"
+    )]
+    out: Option<PathBuf>,
+    #[command(flatten)]
+    force: Force,
     /// Maps of 256 × 256 cells and long runs of 1e7 steps
     #[arg(long)]
     full: bool,
@@ -71,6 +77,11 @@ pub(super) fn stability(options: &Options, quiet: bool) -> Result<u8, Failure> {
             (options.selection.scenes()?, options.selection.contestants(all)?)
         }
     };
+    let out = options.out.clone().unwrap_or_else(|| options.selection.folder("latest").join("stability"));
+    match &options.store {
+        Some(_) => options.force.try_json(options.store.as_ref())?,
+        None => report::try_folder(&out, "stability.json", &["stability.md"], options.force.given)?,
+    }
     let study = measure(options, scenes, contestants, quiet);
     if let Some(path) = &options.store {
         let kept = Stability {
@@ -86,10 +97,10 @@ pub(super) fn stability(options: &Options, quiet: bool) -> Result<u8, Failure> {
         record::write_json(path, &kept)?;
         return Ok(0);
     }
-    report::write_stability(&study, &options.out)?;
+    report::write_stability(&study, &out)?;
     print(&report::stability_table(&study))?;
     if !quiet {
-        eprintln!("polhode: the study is {}", options.out.join("stability.md").display());
+        eprintln!("polhode: the study is {}", out.join("stability.md").display());
     }
     Ok(0)
 }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
-use super::output::print;
+use super::output::{Force, print};
 use super::{Failure, select};
 use crate::campaign;
 use crate::record;
@@ -17,8 +17,8 @@ use crate::study::sweep::{Axis, Row, STEP, SceneText, Sweep};
 #[derive(Args, Clone, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Options {
-    /// Built-in name or TOML file
-    scene: String,
+    #[command(flatten)]
+    scene: select::OneScene,
     /// What to vary: key=from:to:n, or key=from:to:n:log for equal ratios; once or several times
     #[arg(long, value_name = "KEY=FROM:TO:N", required = true, allow_hyphen_values = true)]
     vary: Vec<String>,
@@ -43,6 +43,8 @@ pub(super) struct Options {
     /// File for the picture
     #[arg(long, value_name = "FILE.png")]
     plot: Option<PathBuf>,
+    #[command(flatten)]
+    force: Force,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
@@ -76,15 +78,19 @@ const AFFORDABLE: usize = 400;
 const MOST_RUNS: usize = 1_000_000;
 
 pub(super) fn sweep(options: &Options, quiet: bool) -> Result<u8, Failure> {
-    let scene = Scene::find(&options.scene)?;
+    let scene = Scene::find(options.scene.name())?;
     let contestants = select::named(&options.schemes)?;
     let sweep = plan(options, &scene)?;
     let runs = sweep.len().saturating_mul(contestants.len());
     if runs > MOST_RUNS {
         return Err(Failure::Usage(format!("{runs} runs are too many: {MOST_RUNS} at most")));
     }
+    let picture = options.plot.clone().or(options.out.as_ref().map(|path| path.with_extension("png")));
+    let own_table = |head: &str| head.starts_with("scheme,") && head.contains(",step_s,steps,status,why,");
+    options.force.try_place(options.out.as_ref(), own_table)?;
+    options.force.try_picture(picture.as_deref())?;
     if !quiet {
-        eprintln!("polhode: {runs} runs of {}", scene.name);
+        eprintln!("polhode: {runs} runs of {} under {}", scene.name, options.schemes.join(", "));
     }
     let rows = sweep.run(&contestants);
     let text = csv(&sweep, &rows);
@@ -92,11 +98,39 @@ pub(super) fn sweep(options: &Options, quiet: bool) -> Result<u8, Failure> {
         Some(path) => record::write_whole(path, text.as_bytes())?,
         None => print(&text)?,
     }
-    if let Some(path) = options.plot.clone().or(options.out.as_ref().map(|path| path.with_extension("png"))) {
+    if !quiet {
+        say(options, &sweep, &rows);
+    }
+    if let Some(path) = picture {
         let names = contestants.iter().map(|contestant| contestant.card.name).collect();
-        draw(&Drawn { options, scene: &scene, sweep: &sweep, names, rows: &rows }, &path)?;
+        draw(&Drawn { options, scene: &scene, sweep: &sweep, names, rows: &rows }, &path, quiet)?;
     }
     Ok(0)
+}
+
+/// Which steps were taken, why a column is empty, and where the table is.
+fn say(options: &Options, sweep: &Sweep, rows: &[Row]) {
+    if sweep.axes.iter().all(|axis| axis.key != STEP) {
+        let taken = rows.iter().map(|row| row.step).find(|step| *step > 0.0);
+        let taken = taken.filter(|taken| options.step.is_none_or(|asked| (taken / asked - 1.0).abs() > 1e-9));
+        if let Some(step) = taken {
+            eprintln!("polhode: a step of {step} s, which divides the duration");
+        }
+    }
+    if !sweep.with_errors && options.errors == Errors::Auto {
+        let scenes = sweep.scenes();
+        eprintln!(
+            "polhode: no errors: {scenes} scenes need a reference each, more than {AFFORDABLE}; --errors always"
+        );
+    } else if sweep.with_errors && rows.iter().all(|row| row.error.is_none()) {
+        eprintln!("polhode: no errors: no scene of the sweep has a reference that is certain enough");
+    }
+    if rows.iter().all(|row| row.energy.is_none()) {
+        eprintln!("polhode: no energy: a torque acts, and not every law has a potential");
+    }
+    if let Some(path) = &options.out {
+        eprintln!("polhode: the table is {}", path.display());
+    }
 }
 
 fn plan(options: &Options, scene: &Scene) -> Result<Sweep, Failure> {
@@ -105,8 +139,8 @@ fn plan(options: &Options, scene: &Scene) -> Result<Sweep, Failure> {
         .iter()
         .map(|text| Axis::parse(text).map_err(|why| Failure::Usage(format!("--vary {text}: {why}"))))
         .collect::<Result<Vec<Axis>, Failure>>()?;
-    let text = SceneText::open(&text_of(&options.scene)?)
-        .ok_or_else(|| Failure::Usage(format!("{}: not TOML", options.scene)))?;
+    let text = SceneText::open(&text_of(options.scene.name())?)
+        .ok_or_else(|| Failure::Usage(format!("{}: not TOML", options.scene.name())))?;
     for (index, axis) in axes.iter().enumerate() {
         check(axis, &text)?;
         if axes[..index].iter().any(|other| other.key == axis.key) {
@@ -250,7 +284,7 @@ impl Drawn<'_> {
     }
 }
 
-fn draw(drawn: &Drawn, path: &Path) -> Result<(), Failure> {
+fn draw(drawn: &Drawn, path: &Path, quiet: bool) -> Result<(), Failure> {
     let png = match &drawn.sweep.axes[..] {
         [axis] => drawn.lines(axis).png(),
         [up, across] => drawn.map(up, across).png(),
@@ -260,7 +294,11 @@ fn draw(drawn: &Drawn, path: &Path) -> Result<(), Failure> {
         }
     };
     let png = png.map_err(|error| Failure::Usage(error.to_string()))?;
-    Ok(record::write_whole(path, &png)?)
+    record::write_whole(path, &png)?;
+    if !quiet {
+        eprintln!("polhode: the picture is {}", path.display());
+    }
+    Ok(())
 }
 
 /// The range of the colours: from the least number to the largest, but not where runs have left the motion for good.

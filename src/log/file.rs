@@ -5,6 +5,7 @@ use std::path::Path;
 use rayon::prelude::*;
 
 use super::JudgeError;
+use crate::bounded::{self, Unread};
 
 /// The columns that are read, in the order of [`Row`].
 pub(super) const COLUMNS: [&str; 14] =
@@ -76,8 +77,10 @@ impl Log {
 /// Reads a file.
 pub(super) fn read(path: &Path) -> Result<Log, JudgeError> {
     let file = path.display().to_string();
-    let bytes =
-        std::fs::read(path).map_err(|source| JudgeError::Unreadable { file: file.clone(), source })?;
+    let bytes = bounded::read(path, bounded::MOST_OF_A_LOG).map_err(|unread| match unread {
+        Unread::System(source) => JudgeError::Unreadable { file: file.clone(), source },
+        Unread::Content(why) => JudgeError::Content { file: file.clone(), line: 1, why },
+    })?;
     let text = String::from_utf8(bytes).map_err(|error| {
         let line =
             1 + error.as_bytes()[..error.utf8_error().valid_up_to()].iter().filter(|b| **b == b'\n').count();

@@ -11,6 +11,8 @@ mod evidence;
 mod findings;
 mod numbers;
 mod packed;
+#[cfg(feature = "cli")]
+mod place;
 mod precision;
 mod published;
 mod subjects;
@@ -20,12 +22,12 @@ mod verdict;
 #[cfg(feature = "cli")]
 mod whole;
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+use crate::bounded::{self, Unread};
 pub use crate::claim::ClaimName;
 pub use cost::{CostRow, Grows, ScalingRow};
 pub use engines::{EngineRow, PeerRow, Twin};
@@ -33,6 +35,8 @@ pub use evidence::*;
 pub(crate) use findings::TIME_DIGITS;
 pub use findings::{Drift, DriftClass, Measurement, Order, OrderStatus, RunStatus, Series};
 pub use numbers::to_digits;
+#[cfg(feature = "cli")]
+pub(crate) use place::{is_own_json, try_place};
 pub use precision::{GrowsAs, Growth, PrecisionRow, PrecisionRun, Reach};
 pub use published::{Agreement, PublishedRow, Sureness, last_digit};
 pub use subjects::{ReferenceRow, SceneRow, SchemeRow};
@@ -131,6 +135,12 @@ pub enum RecordError {
         /// What the system said.
         source: std::io::Error,
     },
+    /// A file is there that this program did not write.
+    #[error("{}: this file is not of this program; --force overwrites it", path.display())]
+    Foreign {
+        /// The file.
+        path: PathBuf,
+    },
     /// A file is not a records file.
     #[error("{}: not a records file: {why}", path.display())]
     Format {
@@ -189,8 +199,7 @@ impl Records {
     /// # Errors
     /// The file cannot be read, is not JSON of this shape, or follows another schema.
     pub fn read(path: &Path) -> Result<Records, RecordError> {
-        let text =
-            fs::read_to_string(path).map_err(|source| RecordError::File { path: path.into(), source })?;
+        let text = read_text(path)?;
         let format = |why| RecordError::Format { path: path.into(), why };
         let records: Records = serde_json::from_str(&text).map_err(|error| format(error.to_string()))?;
         if records.schema != SCHEMA {
@@ -198,6 +207,16 @@ impl Records {
         }
         Ok(records)
     }
+}
+
+/// The text of a file of records.
+fn read_text(path: &Path) -> Result<String, RecordError> {
+    let format = |why: String| RecordError::Format { path: path.into(), why };
+    let bytes = bounded::read(path, bounded::MOST_OF_RECORDS).map_err(|unread| match unread {
+        Unread::System(source) => RecordError::File { path: path.into(), source },
+        Unread::Content(why) => format(why),
+    })?;
+    String::from_utf8(bytes).map_err(|error| format(error.to_string()))
 }
 
 #[cfg(test)]

@@ -2,7 +2,6 @@
 //!
 //! A value that does not exist is `None` (`null` on disk), never a NaN.
 
-use std::fs;
 use std::path::Path;
 use std::sync::LazyLock;
 
@@ -299,8 +298,7 @@ impl Stability {
     /// # Errors
     /// The file cannot be read, is not JSON of this shape, or follows another schema.
     pub fn read(path: &Path) -> Result<Stability, RecordError> {
-        let text =
-            fs::read_to_string(path).map_err(|source| RecordError::File { path: path.into(), source })?;
+        let text = super::read_text(path)?;
         Stability::parse(&text).map_err(|why| RecordError::Format { path: path.into(), why })
     }
 

@@ -1,33 +1,47 @@
-//! Files whose final name never stands for half of them: a temporary neighbour, then a rename.
+//! Files whose final name never stands for half of them: a temporary neighbour, then a rename. Devices, pipes and links are written
+//! through.
 
-use std::fs;
+use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
 use super::RecordError;
+use super::place::{self, Way};
 
 /// A file that is written piece by piece and takes its name when it is whole. Dropped before that, it leaves nothing.
 pub struct WholeFile {
     path: PathBuf,
-    file: BufWriter<NamedTempFile>,
+    sink: Sink,
+}
+
+enum Sink {
+    /// A neighbour, and the name that it takes.
+    Neighbour(BufWriter<NamedTempFile>, PathBuf),
+    /// A device or a pipe.
+    Through(BufWriter<File>),
 }
 
 impl WholeFile {
-    /// Begins a file that is to have this name; folders that are missing are made.
+    /// Begins a file that is to have this name. Its folder must exist.
     ///
     /// # Errors
-    /// The folder cannot be made or written to.
+    /// The folder does not exist or cannot be written to, or a device or pipe cannot be opened.
     pub fn begin(path: &Path) -> Result<WholeFile, RecordError> {
         let fail = |source| RecordError::File { path: path.into(), source };
-        let folder = match path.parent() {
-            Some(parent) if !parent.as_os_str().is_empty() => parent,
-            _ => Path::new("."),
+        let sink = match place::way(path) {
+            Way::Through(device) => {
+                let file = OpenOptions::new().append(true).open(device).map_err(fail)?;
+                Sink::Through(BufWriter::new(file))
+            }
+            Way::Whole(target) => {
+                let mut builder = tempfile::Builder::new();
+                let file = builder.prefix(".polhode-").tempfile_in(place::folder(&target)).map_err(fail)?;
+                Sink::Neighbour(BufWriter::new(file), target)
+            }
         };
-        fs::create_dir_all(folder).map_err(fail)?;
-        let file = tempfile::Builder::new().prefix(".polhode-").tempfile_in(folder).map_err(fail)?;
-        Ok(WholeFile { path: path.into(), file: BufWriter::new(file) })
+        Ok(WholeFile { path: path.into(), sink })
     }
 
     /// Gives it its name.
@@ -35,22 +49,33 @@ impl WholeFile {
     /// # Errors
     /// The disk is full, or the name cannot be taken. The temporary file is removed.
     pub fn finish(self) -> Result<(), RecordError> {
-        let WholeFile { path, file } = self;
+        let WholeFile { path, sink } = self;
         let fail = |source| RecordError::File { path: path.clone(), source };
-        let file = file.into_inner().map_err(|error| fail(error.into_error()))?;
-        file.as_file().sync_all().and_then(|()| open_to_readers(&file)).map_err(fail)?;
-        file.persist(&path).map_err(|error| fail(error.error))?;
-        Ok(())
+        match sink {
+            Sink::Through(mut file) => file.flush().map_err(fail),
+            Sink::Neighbour(file, target) => {
+                let file = file.into_inner().map_err(|error| fail(error.into_error()))?;
+                file.as_file().sync_all().and_then(|()| open_to_readers(&file)).map_err(fail)?;
+                file.persist(&target).map_err(|error| fail(error.error))?;
+                Ok(())
+            }
+        }
     }
 }
 
 impl Write for WholeFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.file.write(bytes)
+        match &mut self.sink {
+            Sink::Neighbour(file, _) => file.write(bytes),
+            Sink::Through(file) => file.write(bytes),
+        }
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        self.file.flush()
+        match &mut self.sink {
+            Sink::Neighbour(file, _) => file.flush(),
+            Sink::Through(file) => file.flush(),
+        }
     }
 }
 
@@ -83,8 +108,8 @@ mod tests {
     #[test]
     fn a_file_has_no_name_before_it_is_whole_and_leaves_nothing_when_it_is_dropped() {
         let folder = tempfile::tempdir().expect("a folder");
-        let path = folder.path().join("inner").join("run.csv");
-        let names = || fs::read_dir(folder.path().join("inner")).expect("a folder").count();
+        let path = folder.path().join("run.csv");
+        let names = || fs::read_dir(folder.path()).expect("a folder").count();
         let mut file = WholeFile::begin(&path).expect("begun");
         file.write_all(b"half").expect("written");
         assert!(!path.exists());
@@ -95,5 +120,22 @@ mod tests {
         file.finish().expect("finished");
         assert_eq!(fs::read(&path).expect("text"), b"whole");
         assert_eq!(names(), 1);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_are_followed_and_devices_written_to() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let (real, link) = (folder.path().join("real"), folder.path().join("link"));
+        std::os::unix::fs::symlink("real", &link).expect("a link");
+        for text in ["first", "second"] {
+            write_whole(&link, text.as_bytes()).expect("written");
+            assert_eq!(fs::read_to_string(&real).expect("text"), text);
+            assert!(link.is_symlink());
+        }
+        write_whole(Path::new("/dev/null"), b"text").expect("written");
+        assert!(!Path::new("/dev/null").is_file());
+        assert!(write_whole(&folder.path().join("no/such/folder"), b"text").is_err());
+        assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 2);
     }
 }

@@ -4,6 +4,7 @@
 //! can be made again from a `records.json` alone.
 
 mod engines;
+mod folder;
 mod github;
 mod html;
 mod junit;
@@ -18,7 +19,7 @@ mod survey;
 mod template;
 mod text;
 
-use std::fs;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -27,13 +28,15 @@ use rayon::prelude::*;
 
 use crate::record::{RecordError, Records, WholeFile, write_csv, write_json, write_whole};
 
+pub use folder::try_folder;
 pub use github::annotations;
 pub use junit::junit;
 pub use plot::{heat_map, line_chart};
 pub use published::write_published;
 pub use stability::{table as stability_table, write as write_stability};
-pub use text::{elsewhere, verdict_table};
+pub use text::verdict_table;
 
+use folder::Folder;
 use page::Figure;
 use plot::{Picture, Subject};
 
@@ -83,7 +86,8 @@ pub fn write_report(records: &Records, folder: impl AsRef<Path>) -> Result<(), R
 /// Writes `records.json`, `records.csv`, `report.md`, `index.html` and `plots/*.png` into a folder.
 ///
 /// `progress` is called with the pictures done and the pictures in all, from several threads. Each file takes its
-/// final name only when it is whole; pictures that an earlier report left and this one has no match for are removed.
+/// final name only when it is whole. Of an earlier report, what its manifest lists and this one has no match for is removed; files that others
+/// made are never touched: one whose name is needed is kept as NAME.kept.
 ///
 /// # Errors
 /// A file cannot be written, or a picture or a page cannot be made.
@@ -92,13 +96,18 @@ pub fn write(
     out: &Path,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<(), ReportError> {
+    let subjects = plot::subjects(records);
+    let pages = ["records.json", "records.csv", "report.md", "index.html"];
+    let folder = Folder::open(out, "records.json")?;
+    folder.begin(&names(&pages, subjects.iter()))?;
     write_json(&out.join("records.json"), records)?;
     write_csv(&out.join("records.csv"), records)?;
     let main = records.without_apart();
-    let figures = write_pictures(records, &main, &plot::subjects(records), &out.join("plots"), progress)?;
+    let figures = write_pictures(records, &main, &subjects, out, progress)?;
     let page = page::compose(records, &main, &figures);
     write_page(&out.join("report.md"), |file| markdown::render(&page, file))?;
-    write_page(&out.join("index.html"), |file| html::render(&page, file))
+    write_page(&out.join("index.html"), |file| html::render(&page, file))?;
+    Ok(folder.finish(&names(&pages, figures.iter().map(|figure| &figure.subject)))?)
 }
 
 /// Writes what a repository can hold: `report.md`, the key pictures, and a `records.json` of orders, drifts and
@@ -112,11 +121,22 @@ pub fn write_brief(
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<(), ReportError> {
     let brief = Records { measurements: Vec::new(), series: Vec::new(), ..records.clone() };
+    let subjects = plot::key_subjects(records);
+    let pages = ["records.json", "report.md"];
+    let folder = Folder::open(out, "records.json")?;
+    folder.begin(&names(&pages, subjects.iter()))?;
     write_json(&out.join("records.json"), &brief)?;
     let main = records.without_apart();
-    let figures = write_pictures(records, &main, &plot::key_subjects(records), &out.join("plots"), progress)?;
+    let figures = write_pictures(records, &main, &subjects, out, progress)?;
     let page = page::compose(records, &main, &figures);
-    write_page(&out.join("report.md"), |file| markdown::render(&page, file))
+    write_page(&out.join("report.md"), |file| markdown::render(&page, file))?;
+    Ok(folder.finish(&names(&pages, figures.iter().map(|figure| &figure.subject)))?)
+}
+
+/// The files of a report, by their paths in its folder.
+fn names<'a>(pages: &[&str], pictures: impl Iterator<Item = &'a Subject>) -> BTreeSet<String> {
+    let pictures = pictures.map(|subject| format!("plots/{}", subject.file_name()));
+    pages.iter().map(|page| (*page).to_owned()).chain(pictures).collect()
 }
 
 /// Writes the section on foreign programs as a page of its own: `engines.md`, its pictures beside it as SVG, a
@@ -126,9 +146,14 @@ pub fn write_brief(
 /// A file cannot be written, or a picture or the page cannot be made.
 pub fn write_engines(records: &Records, out: &Path) -> Result<(), ReportError> {
     let kept = engines::kept(records);
+    let subjects = plot::engine_subjects(records);
+    let pictures = subjects.iter().map(|subject| subject.file_stem() + ".svg");
+    let files = pictures.chain(["engines.json", "engines.md"].map(str::to_owned)).collect();
+    let folder = Folder::open(out, "engines.json")?;
+    folder.begin(&files)?;
     write_json(&out.join("engines.json"), &kept)?;
     let mut figures = Vec::new();
-    for subject in plot::engine_subjects(records) {
+    for subject in subjects {
         let path = out.join(subject.file_stem() + ".svg");
         let fault = |plot::Fault(why)| ReportError::Picture { path: path.clone(), why };
         if let Some(picture) = plot::lay_out(records, records, &subject).map_err(fault)? {
@@ -137,7 +162,8 @@ pub fn write_engines(records: &Records, out: &Path) -> Result<(), ReportError> {
             figures.push(Figure { subject, svg: Some(Value::from_safe_string(svg)) });
         }
     }
-    write_page(&out.join("engines.md"), |file| engines::page(records, &figures, file))
+    write_page(&out.join("engines.md"), |file| engines::page(records, &figures, file))?;
+    Ok(folder.finish(&files)?)
 }
 
 /// Writes a page as it is rendered.
@@ -155,12 +181,12 @@ fn write_pictures(
     records: &Records,
     main: &Records,
     subjects: &[Subject],
-    folder: &Path,
+    out: &Path,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Vec<Figure>, ReportError> {
     let done = AtomicUsize::new(0);
     let one = |subject: &Subject| {
-        let path = folder.join(subject.file_name());
+        let path = out.join("plots").join(subject.file_name());
         let fault = |plot::Fault(why)| ReportError::Picture { path: path.clone(), why };
         let figure = match plot::lay_out(records, main, subject).map_err(fault)? {
             Some(picture) => Some(write_picture(&picture, &path)?),
@@ -171,7 +197,6 @@ fn write_pictures(
     };
     let drawn: Result<Vec<Option<Figure>>, ReportError> = subjects.par_iter().map(one).collect();
     let figures: Vec<Figure> = drawn?.into_iter().flatten().collect();
-    remove_stale(folder, &figures)?;
     Ok(figures)
 }
 
@@ -182,17 +207,4 @@ fn write_picture(picture: &Picture, path: &Path) -> Result<Figure, ReportError> 
     let inline = !matches!(picture.subject, Subject::WorkPrecision(_, plot::Cast::Everyone, _));
     let svg = if inline { Some(Value::from_safe_string(picture.svg().map_err(fault)?)) } else { None };
     Ok(Figure { subject: picture.subject.clone(), svg })
-}
-
-/// Removes the pictures that this report did not write.
-fn remove_stale(folder: &Path, figures: &[Figure]) -> Result<(), ReportError> {
-    let Ok(entries) = fs::read_dir(folder) else { return Ok(()) };
-    let ours: Vec<String> = figures.iter().map(|figure| figure.subject.file_name()).collect();
-    for path in entries.flatten().map(|entry| entry.path()) {
-        let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-        if name.ends_with(".png") && !name.starts_with('.') && !ours.contains(&name) {
-            fs::remove_file(&path).map_err(|source| RecordError::File { path: path.clone(), source })?;
-        }
-    }
-    Ok(())
 }

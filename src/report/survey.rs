@@ -74,6 +74,11 @@ impl Outcome {
     pub(super) fn needs_attention(self) -> bool {
         self < Outcome::Pass
     }
+
+    /// True where a gate counts nothing against the scheme.
+    pub(super) fn is_green(self) -> bool {
+        self >= Outcome::KnownDeviation
+    }
 }
 
 /// How many verdicts have each outcome, in the order of [`Outcome::ALL`], those with none left in.

@@ -1,46 +1,44 @@
-//! The verdicts for the terminal.
+//! The verdicts for the terminal: a line a scheme, a line for each scheme and scene that is not green, a summary.
 
 use std::collections::HashMap;
-
-use comfy_table::{Attribute, Cell, ContentArrangement, Table, TableComponent, presets};
 
 use crate::record::{Records, Ruling, Verdict};
 
 use super::survey::{self, Outcome};
 
-/// Columns that the tables are fit to.
-const WIDTH: u16 = 100;
+/// Most lines that `verbose` gives to a scheme in a scene.
+const MOST_LINES: usize = 10;
+/// Quantities that are named before they are counted.
+const NAMED: usize = 3;
 
-/// The verdicts as text of at most 100 columns: a line a scene and scheme with counts, then every verdict that
-/// needs attention with its detail, then a summary line. `verbose` lists every verdict.
-pub fn verdict_table(records: &Records, verbose: bool) -> String {
-    let mut text = format!("{}\n", counts_table(records));
-    let listed = |verdict: &&Verdict| verbose || Outcome::of(verdict).needs_attention();
-    let mut verdicts: Vec<&Verdict> = records.verdicts.iter().filter(listed).collect();
-    verdicts.sort_by_key(|verdict| Outcome::of(verdict));
-    if !verdicts.is_empty() {
-        text += &format!("\n{}\n", detail_table(&verdicts));
-    }
-    text += &format!("\n{}\n", summary(records));
-    text
+/// A scheme in a scene.
+struct Cell<'a> {
+    scene: &'a str,
+    scheme: &'a str,
+    verdicts: Vec<&'a Verdict>,
 }
 
-/// A line for each program that solves another motion, in each scene: the size of the error, and what explains it.
-pub fn elsewhere(records: &Records) -> String {
+/// The verdicts as text: a line a scheme with its counts; a line for each scheme and scene with a claim that fails, breaks or stays
+/// undecided, the size of the error first and then the rule; a summary. `verbose` adds at most ten lines for each scheme and scene.
+pub fn verdict_table(records: &Records, verbose: bool) -> String {
+    let cells = cells(records);
     let mut text = String::new();
-    for (scene, scheme, own) in cells(records) {
-        let first = own.iter().find(|verdict| verdict.verdict == Ruling::Fail);
-        let cause = own.iter().find(|verdict| verdict.quantity == "cause");
-        if let (Some(first), Some(cause)) = (first, cause) {
-            let what = first.detail.split(" (").next().unwrap_or_default();
-            text += &format!("{scheme} in {scene}, {}: {what}; {}\n", first.quantity, cause.detail);
+    if verbose {
+        for cell in &cells {
+            text += &format!("{}\n\n", listed(cell).join("\n"));
         }
     }
-    text
+    text += &by_scheme(&cells);
+    let sizes = Sizes::of(records);
+    let red: Vec<String> = cells.iter().filter_map(|cell| red_line(&sizes, cell)).collect();
+    if !red.is_empty() {
+        text += &format!("\n{}\n", red.join("\n"));
+    }
+    text + &format!("\n{}\n", summary(records))
 }
 
 /// The verdicts on each scheme in each scene, where there are any.
-fn cells(records: &Records) -> Vec<(&str, &str, Vec<&Verdict>)> {
+fn cells(records: &Records) -> Vec<Cell<'_>> {
     let mut cells: HashMap<(&str, &str), Vec<&Verdict>> = HashMap::new();
     for verdict in &records.verdicts {
         cells.entry((&verdict.scene, &verdict.scheme)).or_default().push(verdict);
@@ -48,42 +46,110 @@ fn cells(records: &Records) -> Vec<(&str, &str, Vec<&Verdict>)> {
     let schemes = survey::schemes(records);
     let places =
         survey::scenes(records).into_iter().flat_map(|scene| schemes.iter().map(move |s| (scene, *s)));
-    places.filter_map(|place| Some((place.0, place.1, cells.remove(&place)?))).collect()
+    let cell = |(scene, scheme)| {
+        let mut verdicts = cells.remove(&(scene, scheme))?;
+        verdicts.sort_by_key(|verdict| Outcome::of(verdict));
+        Some(Cell { scene, scheme, verdicts })
+    };
+    places.filter_map(cell).collect()
 }
 
-fn table(header: &[&str]) -> Table {
-    let mut table = Table::new();
-    table.load_preset(presets::UTF8_HORIZONTAL_ONLY).set_content_arrangement(ContentArrangement::Dynamic);
-    table
-        .set_width(WIDTH)
-        .set_header(header.iter().map(|word| Cell::new(word).add_attribute(Attribute::Bold)));
-    table
+/// A line a scheme: its name, its worst outcome, its counts, and in how many scenes.
+fn by_scheme(cells: &[Cell<'_>]) -> String {
+    let schemes = survey::distinct(cells.iter().map(|cell| cell.scheme));
+    let width = schemes.iter().map(|name| name.chars().count()).max().unwrap_or(0);
+    let line = |scheme: &str| {
+        let own = || cells.iter().filter(|cell| cell.scheme == scheme);
+        let verdicts = own().flat_map(|cell| cell.verdicts.iter().copied());
+        let worst = verdicts.clone().map(Outcome::of).filter(|outcome| !outcome.is_green()).min();
+        let judged = || verdicts.clone().any(|verdict| Outcome::of(verdict) != Outcome::NotApplicable);
+        let word = match worst {
+            Some(outcome) => outcome.words(),
+            None if judged() => Outcome::Pass.words(),
+            None => "not judged",
+        };
+        let counts = survey::tally_words(&survey::tally(verdicts.clone()));
+        let scenes = own().count();
+        let plural = if scenes == 1 { "" } else { "s" };
+        format!("{scheme:width$}  {word:12}  {scenes} scene{plural}: {counts}\n")
+    };
+    schemes.into_iter().map(line).collect()
 }
 
-fn counts_table(records: &Records) -> Table {
-    let mut table = table(&["scene", "scheme", "worst", "verdicts"]);
-    table.remove_style(TableComponent::HorizontalLines);
-    for (scene, scheme, own) in cells(records) {
-        let own = || own.iter().copied();
-        let Some(worst) = own().map(Outcome::of).min() else { continue };
-        table.add_row([scene, scheme, worst.words(), &survey::tally_words(&survey::tally(own()))]);
+/// The error of each quantity at the finest step, as words.
+struct Sizes<'a>(HashMap<(&'a str, &'a str, &'a str), (f64, String)>);
+
+impl Sizes<'_> {
+    fn of(records: &Records) -> Sizes<'_> {
+        let mut sizes: HashMap<(&str, &str, &str), (f64, String)> = HashMap::new();
+        for row in &records.measurements {
+            let Some(value) = row.value else { continue };
+            let Some(quantity) = row.metric.strip_suffix("-end") else { continue };
+            let known = sizes.entry((&row.scene, &row.scheme, quantity)).or_insert((f64::MAX, String::new()));
+            if row.step_s < known.0 {
+                let (unit, step) = (&row.unit, row.step_s);
+                *known = (step, format!("{quantity} off by {value:.2e} {unit} at h = {step:.1e} s; "));
+            }
+        }
+        Sizes(sizes)
     }
-    table
 }
 
-fn detail_table(verdicts: &[&Verdict]) -> Table {
-    let mut table = table(&["verdict", "what", "detail"]);
-    for verdict in verdicts {
-        let outcome = Outcome::of(verdict);
-        let reason =
-            verdict.known_deviation.as_ref().map(|why| format!("\nknown: {why}")).unwrap_or_default();
-        table.add_row([
-            outcome.words().to_string(),
-            format!("{}: {}\n{}: {}", verdict.scene, verdict.scheme, verdict.claim, verdict.quantity),
-            format!("{}{reason}", verdict.detail),
-        ]);
+/// The worst verdict of a scheme in a scene in one line, where it is not green: the size of the error, then the rule; for a program
+/// that solves another motion, what explains it.
+fn red_line(sizes: &Sizes<'_>, cell: &Cell<'_>) -> Option<String> {
+    let first = cell.verdicts.first()?;
+    let outcome = Outcome::of(first);
+    if outcome.is_green() {
+        return None;
     }
-    table
+    let alike = || cell.verdicts.iter().filter(|verdict| Outcome::of(verdict) == outcome);
+    let lead = alike().find(|verdict| verdict.quantity == "body-point").unwrap_or(first);
+    let cause = cell.verdicts.iter().find(|verdict| verdict.quantity == "cause");
+    let others = cell.verdicts.iter().filter(|verdict| !Outcome::of(verdict).is_green()).count() - 1;
+    let more = if others > 0 { format!(" (and {others} more)") } else { String::new() };
+    let place = format!("{}: {} in {}: ", outcome.words(), cell.scheme, cell.scene);
+    if let (Ruling::Fail, Some(cause)) = (first.verdict, cause) {
+        let what = first.detail.split(" (").next().unwrap_or_default();
+        return Some(format!("{place}{}: {what}; {}{more}", first.quantity, cause.detail));
+    }
+    let size = sizes.0.get(&(&*lead.scene, &*lead.scheme, &*lead.quantity));
+    let size = size.map_or("", |(_, words)| words);
+    Some(format!("{place}{size}{}, {}: {}{more}", lead.claim, lead.quantity, lead.detail))
+}
+
+/// All verdicts of a scheme in a scene: counts, then a line for each claim and outcome, the worst first.
+fn listed(cell: &Cell<'_>) -> Vec<String> {
+    let counts = survey::tally_words(&survey::tally(cell.verdicts.iter().copied()));
+    let mut lines = vec![format!("{} in {}: {counts}", cell.scheme, cell.scene)];
+    let mut groups: Vec<Vec<&Verdict>> = Vec::new();
+    let kind = |verdict: &Verdict| (Outcome::of(verdict), verdict.claim);
+    for verdict in &cell.verdicts {
+        match groups.iter_mut().find(|group| kind(group[0]) == kind(verdict)) {
+            Some(group) => group.push(verdict),
+            None => groups.push(vec![verdict]),
+        }
+    }
+    let shown = if groups.len() < MOST_LINES { groups.len() } else { MOST_LINES - 2 };
+    lines.extend(groups[..shown].iter().map(|group| group_line(group)));
+    if shown < groups.len() {
+        let rest: Vec<String> = groups[shown..].iter().map(|group| group[0].claim.to_string()).collect();
+        let rest = survey::distinct(rest.iter().map(String::as_str)).join(", ");
+        lines.push(format!("  and, in the records (--json): {rest}"));
+    }
+    lines
+}
+
+/// The verdicts on one claim with one outcome: the quantities, and the detail of the first.
+fn group_line(group: &[&Verdict]) -> String {
+    let first = group[0];
+    let quantities = if group.len() <= NAMED {
+        group.iter().map(|verdict| verdict.quantity.as_str()).collect::<Vec<_>>().join(", ")
+    } else {
+        format!("{} and {} more", first.quantity, group.len() - 1)
+    };
+    let known = first.known_deviation.as_ref().map(|why| format!(" (known: {why})")).unwrap_or_default();
+    format!("  {:15}  {}, {quantities}: {}{known}", Outcome::of(first).words(), first.claim, first.detail)
 }
 
 fn summary(records: &Records) -> String {

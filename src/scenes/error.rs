@@ -2,6 +2,8 @@
 
 use std::io;
 
+use super::wording;
+
 /// A scene that cannot be used.
 #[derive(Debug, thiserror::Error)]
 pub enum SceneError {
@@ -33,7 +35,7 @@ pub enum SceneError {
     Unknown {
         /// The name asked for.
         name: String,
-        /// Names that are close to it, the closest first.
+        /// The three names nearest to it, the nearest first.
         near: Vec<&'static str>,
     },
 }
@@ -43,5 +45,5 @@ fn prefix(key: &str) -> String {
 }
 
 fn meant(near: &[&str]) -> String {
-    if near.is_empty() { String::new() } else { format!(" (did you mean {}?)", near.join(" or ")) }
+    if near.is_empty() { String::new() } else { format!(" (did you mean {}?)", wording::one_of(near)) }
 }

@@ -25,7 +25,10 @@ pub use laws::block;
 pub use list::FILES;
 pub use schema::schema;
 pub(crate) use schema::to_json;
+#[cfg(feature = "cli")]
+pub(crate) use wording::{one_of, three_nearest};
 
+use crate::bounded::{self, Unread};
 use crate::model::System;
 use table::Table;
 use value::{Document, Value};
@@ -109,12 +112,16 @@ impl Scene {
             || name_or_path.ends_with(".toml")
             || path.is_file();
         if !is_path {
-            let near = wording::nearest(name_or_path, FILES.iter().map(|(name, _)| *name));
+            let near = wording::three_nearest(name_or_path, FILES.iter().map(|(name, _)| *name));
             return Err(SceneError::Unknown { name: name_or_path.to_string(), near });
         }
         let file = name_or_path.to_string();
-        let bytes =
-            std::fs::read(path).map_err(|source| SceneError::Unreadable { file: file.clone(), source })?;
+        let bytes = bounded::read(path, bounded::MOST_OF_A_SCENE).map_err(|unread| match unread {
+            Unread::System(source) => SceneError::Unreadable { file: file.clone(), source },
+            Unread::Content(message) => {
+                SceneError::Content { file: file.clone(), line: 1, key: String::new(), message }
+            }
+        })?;
         match std::str::from_utf8(&bytes) {
             Ok(text) => Scene::parse(text, &file),
             Err(error) => {

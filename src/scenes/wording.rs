@@ -67,6 +67,33 @@ pub(super) fn nearest<'c>(word: &str, candidates: impl Iterator<Item = &'c str>)
     close.into_iter().map(|(_, candidate)| candidate).take(3).collect()
 }
 
+/// The three names that a mistyped one most likely stands for, the likeliest first: the fewest slips, then the longest common part.
+pub(crate) fn three_nearest<'c>(word: &str, names: impl Iterator<Item = &'c str>) -> Vec<&'c str> {
+    let names: Vec<&str> = names.collect();
+    let mut near = nearest(word, names.iter().copied());
+    #[cfg(not(feature = "cli"))]
+    let likeness = |_: &str| 0.0;
+    #[cfg(feature = "cli")]
+    let likeness = |name: &str| strsim::jaro_winkler(word, name);
+    let mut others: Vec<&str> = names.into_iter().filter(|name| !near.contains(name)).collect();
+    others.sort_by(|a, b| {
+        let has = |name: &str| !word.is_empty() && name.contains(word);
+        has(b).cmp(&has(a)).then(likeness(b).total_cmp(&likeness(a)))
+    });
+    near.extend(others);
+    near.truncate(3);
+    near
+}
+
+/// "a, b or c".
+pub(crate) fn one_of(names: &[&str]) -> String {
+    match names {
+        [] => String::new(),
+        [one] => (*one).to_owned(),
+        [others @ .., last] => format!("{} or {last}", others.join(", ")),
+    }
+}
+
 /// Numbers as TOML writes them.
 pub(super) fn list(numbers: &[f64]) -> String {
     let numbers: Vec<String> = numbers.iter().map(|x| format!("{x:?}")).collect();
@@ -89,5 +116,16 @@ mod tests {
         let known = || ["stiffness", "damping", "anchor"].into_iter();
         assert_eq!(nearest("stifness", known()), ["stiffness"]);
         assert!(nearest("colour", known()).is_empty());
+    }
+
+    #[cfg(feature = "cli")]
+    #[test]
+    fn three_names_are_given_whatever_was_typed() {
+        let known = || ["euler", "peskin-rk2", "peskin-rk3", "peskin-heun", "rk4-quaternion"].into_iter();
+        assert_eq!(three_nearest("peskin", known()).len(), 3);
+        assert!(three_nearest("peskin", known()).iter().all(|name| name.starts_with("peskin")));
+        assert_eq!(three_nearest("eulr", known())[0], "euler");
+        assert_eq!(three_nearest("", known()).len(), 3);
+        assert_eq!(one_of(&["a", "b", "c"]), "a, b or c");
     }
 }

@@ -27,22 +27,24 @@ const ROOMS: [&str; 18] = [
     "study",
 ];
 /// What several rooms share, or a single function for users.
-const HELPERS: [&str; 7] = ["assertion", "guide", "interrupt", "ode", "prelude", "quantity", "words"];
+const HELPERS: [&str; 8] =
+    ["assertion", "bounded", "guide", "interrupt", "ode", "prelude", "quantity", "words"];
 
 /// A room and those it may use.
 const EDGES: &[(&str, &[&str])] = &[
+    ("bounded", &[]),
     ("interrupt", &[]),
     ("words", &[]),
     ("quantity", &[]),
     ("claim", &["quantity", "words"]),
     ("arithmetic", &[]),
     ("rotation", &["arithmetic"]),
-    ("record", &["claim", "quantity", "words"]),
+    ("record", &["bounded", "claim", "quantity", "words"]),
     ("model", &["arithmetic", "quantity", "rotation"]),
     ("ode", &["model", "rotation"]),
     ("schemes", &["arithmetic", "claim", "interrupt", "model", "ode", "rotation"]),
     ("reference", &["interrupt", "model", "ode", "rotation"]),
-    ("scenes", &["model", "rotation"]),
+    ("scenes", &["bounded", "model", "rotation"]),
     ("simulate", &["arithmetic", "claim", "interrupt", "model", "rotation", "schemes"]),
     ("measure", &["arithmetic", "claim", "model", "ode", "record", "reference", "rotation", "simulate"]),
     ("gates", &["claim", "measure", "model", "quantity", "record", "schemes"]),
@@ -85,7 +87,7 @@ const EDGES: &[(&str, &[&str])] = &[
         ],
     ),
     ("assertion", &["campaign", "claim", "gates", "record", "scenes", "schemes", "simulate"]),
-    ("log", &["model", "ode", "record", "reference", "rotation", "scenes"]),
+    ("log", &["bounded", "model", "ode", "record", "reference", "rotation", "scenes"]),
     (
         "self_test",
         &[

@@ -49,9 +49,64 @@ fn advice_that_cannot_be_given_has_exit_codes_of_its_own() {
     assert!(stderr(&output).contains("ask for"), "{}", stderr(&output));
     let output = advise(&["--tolerance", "1e-3", "--quantity", "orientaton"]);
     assert_eq!(code(&output), 64);
-    assert!(stderr(&output).contains("did you mean orientation?") && stderr(&output).contains("body-point"));
+    assert!(stderr(&output).contains("did you mean orientation, ") && stderr(&output).contains("body-point"));
     for tolerance in ["0", "-1", "nan"] {
         assert_eq!(code(&advise(&["--tolerance", tolerance])), 64, "{tolerance}");
+    }
+}
+
+#[test]
+fn advice_begins_with_a_sentence_and_shows_the_cheapest_in_plain_numbers() {
+    let advise = |more: &[&str]| {
+        let output = polhode(&[&["advise", "free-asymmetric", "--tolerance", "1e-2"][..], more].concat());
+        assert_eq!(code(&output), 0, "{}", stderr(&output));
+        String::from_utf8(output.stdout).expect("text")
+    };
+    let text = advise(&[]);
+    let first = text.lines().next().expect("a line");
+    assert!(
+        first.starts_with("Take ") && first.contains(" with a step of ") && first.contains("asked for 0.01"),
+        "{first}"
+    );
+    let table = text.split("Without an answer").next().expect("a table");
+    let stable = table.split("Accurate for this long").next().expect("a table");
+    let is_row = |line: &&str| {
+        let mut words = line.trim_matches('│').split_whitespace();
+        words.next().is_some_and(|word| word.parse::<u32>().is_ok()) && words.count() == 8
+    };
+    let rows: Vec<&str> = stable.lines().filter(is_row).collect();
+    assert!(table.contains(" more: --top "), "{table}");
+    assert_eq!(rows.len(), 10, "{stable}");
+    // Names stand whole, to be copied.
+    assert!(rows.iter().any(|row| row.contains(" peskin-rk2 ")), "{stable}");
+    assert!(table.lines().all(|line| line.chars().count() <= 130), "{table}");
+    // The step of the sentence is a plain number.
+    let step =
+        first.split(" with a step of ").nth(1).and_then(|rest| rest.split(' ').next()).expect("a step");
+    assert!(!step.contains('e') && step.parse::<f64>().is_ok_and(|step| step > 0.0), "{step}");
+    assert!(advise(&["--top", "3"]).lines().count() < text.lines().count());
+}
+
+#[test]
+fn a_sweep_says_what_it_wrote_and_why_a_column_is_empty() {
+    let folder = scratch();
+    let path = folder.path().join("table.csv");
+    let output = polhode(&[
+        "sweep",
+        "gravity-drag",
+        "--vary",
+        "body.scale=0.5:2:3",
+        "--step",
+        "0.37",
+        "--out",
+        &path.to_string_lossy(),
+    ]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    let said = stderr(&output);
+    for word in
+        ["under peskin-rk2", "which divides the duration", "the table is", "the picture is", "no energy: "]
+    {
+        assert!(said.contains(word), "{word}: {said}");
     }
 }
 
@@ -100,7 +155,7 @@ fn a_key_that_a_sweep_does_not_know_is_told_with_those_that_there_are() {
     let output = polhode(&["sweep", "tether-springs", "--vary", "forces.0.stifness=1:2:3"]);
     assert_eq!(code(&output), 64);
     let text = stderr(&output);
-    assert!(text.contains("did you mean forces.0.stiffness?") && text.contains("body.scale"), "{text}");
+    assert!(text.contains("did you mean forces.0.stiffness, ") && text.contains("body.scale"), "{text}");
     for wrong in ["step", "step=1:2", "step=1:2:3:4", "step=x:2:3"] {
         let output = polhode(&["sweep", "tether-springs", "--vary", wrong]);
         assert_eq!(code(&output), 64, "{wrong}");

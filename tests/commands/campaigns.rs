@@ -6,7 +6,7 @@ use std::process::Command;
 
 use serde_json::Value;
 
-use crate::common::program::{code, polhode, scratch, stderr};
+use crate::common::program::{code, polhode, scratch, stderr, stdout};
 
 #[test]
 fn the_gate_is_0_where_all_holds_1_where_a_claim_fails_and_2_where_nothing_is_decided() {
@@ -34,6 +34,80 @@ fn the_gate_is_0_where_all_holds_1_where_a_claim_fails_and_2_where_nothing_is_de
                  [initial]\nposition = [1, 0, 0]\n[[forces]]\nlaw = \"central-gravity\"\nmu = 1.0\n";
     fs::write(&through, scene).expect("written");
     assert_eq!(gate(&["--scheme", "peskin-rk2", "--scene", &through.to_string_lossy()]), 2);
+}
+
+#[test]
+fn a_green_gate_is_a_line_a_scheme_and_a_summary_and_a_red_one_a_line_more_a_scene() {
+    let gate = |more: &[&str]| {
+        let scenes = ["--scene", "kovalevskaya", "--scene", "free-oblate", "--scene", "tether-springs"];
+        let output = polhode(&[&["gate", "--quiet", "--scheme", "euler"][..], &scenes, more].concat());
+        (code(&output), stdout(&output))
+    };
+    let (green, text) = gate(&[]);
+    // euler, the references, a blank line and the summary.
+    assert_eq!((green, text.lines().count()), (0, 4), "{text}");
+    let (red, text) = gate(&["--order", "2"]);
+    let lines: Vec<&str> = text.lines().filter(|line| line.starts_with("fail: euler in ")).collect();
+    assert_eq!((red, lines.len()), (1, 3), "{text}");
+    assert!(
+        lines.iter().all(|line| line.contains(" off by ") && line.contains("2 claimed: order 1")),
+        "{text}"
+    );
+}
+
+#[test]
+fn a_comparison_with_nothing_is_2_and_says_so() {
+    let folder = scratch();
+    let records = |scene: &str| {
+        let path = folder.path().join(format!("{scene}.json")).to_string_lossy().into_owned();
+        let gate = ["gate", "--quiet", "--scheme", "peskin-rk2", "--scene", scene, "--json", &path];
+        assert_eq!(code(&polhode(&gate)), 0);
+        path
+    };
+    let (own, other) = (records("kovalevskaya"), records("free-asymmetric"));
+    let gate = |baseline: &str| {
+        polhode(&[
+            "gate",
+            "--quiet",
+            "--scheme",
+            "peskin-rk2",
+            "--scene",
+            "kovalevskaya",
+            "--baseline",
+            baseline,
+        ])
+    };
+    let matched = gate(&own);
+    assert_eq!(code(&matched), 0, "{}", stderr(&matched));
+    let said = stderr(&matched);
+    let counts: Vec<usize> = said.split(' ').filter_map(|word| word.parse().ok()).collect();
+    assert!(
+        said.contains("constants compared") && counts.len() == 2 && counts[0] == counts[1] && counts[0] > 0,
+        "{said}"
+    );
+    let unmatched = gate(&other);
+    assert_eq!(code(&unmatched), 2);
+    assert!(stderr(&unmatched).contains("nothing was compared with the baseline"), "{}", stderr(&unmatched));
+    let compared = polhode(&["compare", &own, &other]);
+    assert_eq!(code(&compared), 2);
+    assert!(stderr(&compared).contains("nothing was compared"), "{}", stderr(&compared));
+}
+
+#[test]
+fn two_scenes_of_one_name_are_bad_input() {
+    let folder = scratch();
+    let path = folder.path().join("mine.toml").to_string_lossy().into_owned();
+    let scene = "name = \"free-rod\"\nduration = 1.0\n[body]\nmass = 1.0\ninertia = [1, 1, 1]\n";
+    fs::write(&path, scene).expect("written");
+    for command in [
+        vec!["gate", "--scheme", "euler", "--scene", &path, "--scene", "free-rod"],
+        vec!["gate", "--scheme", "euler", "free-rod", "--scene", "free-rod"],
+        vec!["compare", "euler", "peskin-rk2", "free-rod", &path],
+    ] {
+        let output = polhode(&command);
+        assert_eq!(code(&output), 65, "{command:?}: {}", stderr(&output));
+        assert!(stderr(&output).contains("two scenes are called 'free-rod'"), "{}", stderr(&output));
+    }
 }
 
 #[test]

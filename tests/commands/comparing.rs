@@ -8,7 +8,7 @@ use crate::common::{contestant, scene};
 
 /// Exit code and rows of a comparison of two schemes in a scene.
 fn compare(a: &str, b: &str, scene: &str) -> (i32, Vec<String>) {
-    let output = polhode(&["compare", a, b, "--quiet", "--scene", scene]);
+    let output = polhode(&["compare", a, b, "--quiet", "--all", "--scene", scene]);
     (code(&output), stdout(&output).lines().map(str::to_owned).collect())
 }
 
@@ -34,6 +34,33 @@ fn constants_drifts_and_costs_are_printed_with_their_ratios() {
     assert!(time.contains(" ns") && !time.contains("worse") && !time.contains("better"), "{time}");
     let (code, rows) = compare("peskin-heun", "peskin-rk2", "free-asymmetric");
     assert_eq!((code, row(&rows, "free-asymmetric", "drift").contains("better")), (0, true));
+}
+
+#[test]
+fn a_comparison_ends_with_a_sentence_and_hides_what_is_the_same() {
+    let compare = |more: &[&str]| {
+        let scenes = ["free-asymmetric", "kovalevskaya", "--quiet"];
+        stdout(&polhode(&[&["compare", "peskin-rk2", "peskin-heun"][..], &scenes, more].concat()))
+    };
+    let (text, all) = (compare(&[]), compare(&["--all"]));
+    let sentence = text.lines().last().expect("a sentence");
+    let start = "peskin-heun's orientation error is ";
+    assert!(sentence.starts_with(start), "{text}");
+    assert!(sentence.contains(" × peskin-rk2's at equal work (geometric mean of 2 scenes; "), "{sentence}");
+    let number =
+        |text: &str| text.split(' ').next().and_then(|word| word.parse::<f64>().ok()).expect("a number");
+    let mean = number(&sentence[start.len()..]);
+    let (least, largest) = sentence
+        .split("scenes; ")
+        .nth(1)
+        .and_then(|range| range.trim_end_matches(')').split_once(" … "))
+        .expect("a range");
+    let (least, largest) = (number(least), number(largest));
+    // The mean of two is the root of their product; three digits are printed.
+    assert!((mean / (least * largest).sqrt() - 1.0).abs() < 0.01, "{sentence}");
+    let same = |text: &str| text.lines().filter(|line| line.trim_end().ends_with("  same")).count();
+    assert!(same(&text) == 0 && same(&all) > 0, "{text}{all}");
+    assert!(text.contains(&format!("{} rows that are the same are not shown", same(&all))), "{text}");
 }
 
 #[test]
@@ -168,5 +195,5 @@ fn a_scheme_in_parts_is_run_gated_and_refused_by_name() {
     }
     let list = stdout(&polhode(&["list", "schemes"]));
     assert!(list.contains("substepped-N-S"));
-    assert!(list.lines().any(|line| line.starts_with(" peskin-rk2 ") && line.contains("peskin2021")));
+    assert!(list.lines().any(|line| line.starts_with("peskin-rk2 ") && line.contains("the note")));
 }

@@ -1,6 +1,85 @@
 //! `polhode list forces` from outside.
 
-use crate::common::program::{code, polhode, stderr, stdout};
+use polhode::simulate::Contestant;
+
+use crate::common::program::{code, polhode, scratch, stderr, stdout};
+
+#[test]
+fn schemes_scenes_metrics_and_claims_are_a_line_each_of_100_columns() {
+    for (what, least) in
+        [("schemes", Contestant::everyone().len()), ("scenes", 43), ("metrics", 6), ("claims", 200)]
+    {
+        let list = polhode(&["list", what]);
+        assert_eq!(code(&list), 0, "{}", stderr(&list));
+        let text = stdout(&list);
+        let rows: Vec<&str> = text.lines().take_while(|line| !line.is_empty()).collect();
+        assert!(rows.len() > least, "{what}: {}", rows.len());
+        assert!(rows.iter().all(|row| row.chars().count() <= 100), "{text}");
+    }
+    let schemes = stdout(&polhode(&["list", "schemes"]));
+    let row = schemes.lines().find(|line| line.starts_with("peskin-rk2 ")).expect("a row");
+    let fields: Vec<&str> = row.split_whitespace().collect();
+    assert_eq!(fields[1..5], ["2", "2", "the", "note"], "{row}");
+}
+
+#[test]
+fn a_name_shows_the_card() {
+    let card = |arguments: &[&str]| stdout(&polhode(arguments));
+    let scheme = card(&["list", "schemes", "peskin-rk2"]);
+    for word in ["order 2 in every quantity", "fails where", "h·ω", "peskin2021"] {
+        assert!(scheme.contains(word), "{word}: {scheme}");
+    }
+    let scene = card(&["list", "scenes", "tether-springs"]);
+    assert!(scene.contains("spring") && scene.contains("duration     4 s"), "{scene}");
+    let claim = card(&["list", "claims", "symplectic"]);
+    assert!(claim.contains("moser-veselov") && !claim.contains("peskin-rk2"), "{claim}");
+    assert!(card(&["list", "metrics", "orientation"]).starts_with("orientation [rad]: "));
+}
+
+#[test]
+fn a_mistyped_scheme_or_scene_is_answered_with_the_three_nearest() {
+    for (arguments, near) in [
+        (vec!["gate", "--scheme", "peskin"], "did you mean peskin-"),
+        (vec!["gate", "--scheme", "rk4-quaternon"], "did you mean rk4-quaternion, "),
+        (vec!["list", "schemes", "eulr"], "did you mean euler, "),
+        (vec!["run", "kovalevskaia", "--scheme", "euler", "--steps", "4"], "did you mean kovalevskaya, "),
+        (vec!["advise", "zzz", "--tolerance", "1"], "did you mean "),
+    ] {
+        let output = polhode(&arguments);
+        assert_eq!(code(&output), 64, "{arguments:?}");
+        let said = stderr(&output);
+        assert!(said.contains(near), "{said}");
+        let names =
+            said.split("did you mean ").nth(1).and_then(|rest| rest.split('?').next()).expect("names");
+        assert_eq!(
+            names.split(&[',', ' '][..]).filter(|word| word.contains('-') || word.len() > 2).count(),
+            3,
+            "{names}"
+        );
+        assert!(said.len() < 600, "{said}");
+    }
+}
+
+#[test]
+fn a_scene_is_named_by_position_or_by_option_in_every_command() {
+    let folder = scratch();
+    let out = folder.path().join("out").to_string_lossy().into_owned();
+    for command in [
+        vec!["gate", "--quiet", "--scheme", "euler"],
+        vec!["compare", "euler", "peskin-rk2", "--quiet"],
+        vec!["run", "--scheme", "euler", "--steps", "4"],
+        vec!["advise", "--tolerance", "1e-2", "--scheme", "euler"],
+        vec!["sweep", "--quiet", "--vary", "step=0.1:0.2:2", "--scheme", "euler"],
+        vec!["reference", "--digits", "5"],
+        vec!["stability", "--quiet", "--scheme", "euler", "--cells", "0", "--long", "0", "--out", &out],
+    ] {
+        for scene in [&["free-oblate"][..], &["--scene", "free-oblate"]] {
+            let output = polhode(&[&command[..], scene].concat());
+            assert_eq!(code(&output), 0, "{command:?} {scene:?}: {}", stderr(&output));
+        }
+    }
+    assert_eq!(code(&polhode(&["run", "--scheme", "euler", "--steps", "4"])), 64);
+}
 
 #[test]
 fn the_forces_are_listed_as_blocks_and_one_of_them_alone() {
@@ -10,7 +89,7 @@ fn the_forces_are_listed_as_blocks_and_one_of_them_alone() {
     assert_eq!(code(&spring), 0, "{}", stderr(&spring));
     assert!(stdout(&spring).contains("law = \"spring\"") && stdout(&all).contains(&stdout(&spring)));
     for wrong in
-        [["list", "forces", "sprung"], ["list", "scenes", "kovalevskaya"], ["list", "claims", "--schema"]]
+        [["list", "forces", "sprung"], ["list", "scenes", "kovalevskya"], ["list", "claims", "--schema"]]
     {
         assert_eq!(code(&polhode(&wrong)), 64, "{wrong:?}");
     }

@@ -39,7 +39,7 @@ fn a_body_on_the_ground_is_followed_from_touch_to_touch() {
 #[test]
 fn a_file_is_written_that_is_the_stored_one() {
     let folder = scratch();
-    let path = folder.path().join("deep/dipole.json");
+    let path = folder.path().join("dipole.json");
     let arguments = ["dipole-in-field", "--digits", "30", "--quiet", "--out", &path.to_string_lossy()];
     let (code, _, talk) = reference(&arguments);
     // One digit fewer than was asked for is certain.

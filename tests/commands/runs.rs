@@ -123,14 +123,50 @@ fn a_run_in_csv_has_a_header_and_a_row_a_state() {
 }
 
 #[test]
-fn a_step_that_does_not_divide_the_duration_names_the_nearest_that_do() {
+fn a_step_that_does_not_divide_the_duration_is_taken_to_the_nearest_one_and_said() {
+    // 8 s: 26 steps of 0.3077 s or 27 of 0.2963 s.
     let output = polhode(&["run", "free-asymmetric", "--scheme", "euler", "--step", "0.3"]);
-    assert_eq!(code(&output), 64);
-    let text = stderr(&output);
-    assert!(
-        text.contains("0.3076923076923077 (26 steps)") && text.contains("0.2962962962962963 (27 steps)"),
-        "{text}"
-    );
+    assert_eq!(code(&output), 0);
+    assert!(stderr(&output).contains("0.2962962962962963 s, 27 steps"), "{}", stderr(&output));
+    assert_eq!(json(&output)["steps"], 27);
+    let output = polhode(&["run", "free-asymmetric", "--scheme", "euler", "--step", "0.305"]);
+    assert_eq!(json(&output)["steps"], 26);
+    let exact = polhode(&["run", "free-asymmetric", "--scheme", "euler", "--step", "0.1"]);
+    assert_eq!((stderr(&exact).as_str(), &json(&exact)["steps"]), ("", &80.into()));
+    let quiet = polhode(&["run", "free-asymmetric", "--quiet", "--step", "0.3"]);
+    assert_eq!((code(&quiet), stderr(&quiet).as_str()), (0, ""));
+}
+
+#[test]
+fn a_run_has_a_scheme_and_a_step_where_none_is_named() {
+    let output = polhode(&["run", "free-oblate"]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    let run = json(&output);
+    assert_eq!((&run["scheme"], &run["status"]), (&"peskin-rk2".into(), &"ok".into()));
+    assert!(run["steps"].as_u64() >= Some(512));
+    assert!(stderr(&output).contains("peskin-rk2 with a step of "), "{}", stderr(&output));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_reader_that_goes_away_ends_a_run_silently_with_0() {
+    use std::io::{BufRead, BufReader};
+    use std::process::Stdio;
+    let mut child = Command::new(env!("CARGO_BIN_EXE_polhode"))
+        .args(["run", "free-rod", "--scheme", "euler", "--steps", "100000000", "--format", "csv"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program runs");
+    let mut line = String::new();
+    let mut reader = BufReader::new(child.stdout.take().expect("a pipe"));
+    reader.read_line(&mut line).expect("a line");
+    drop(reader);
+    let before = std::time::Instant::now();
+    let output = child.wait_with_output().expect("it ends");
+    assert!(line.starts_with("step,t,x"), "{line}");
+    assert_eq!((code(&output), stderr(&output).as_str()), (0, ""));
+    assert!(before.elapsed() < std::time::Duration::from_secs(5), "{:?}", before.elapsed());
 }
 
 #[test]
@@ -138,7 +174,6 @@ fn wrong_usage_is_64_and_tells_what_there_is() {
     for (arguments, word) in [
         (vec!["gate", "--scheme", "peskin"], "peskin-rk2"),
         (vec!["gate", "--scene", "kovalevskaia"], "kovalevskaya"),
-        (vec!["run", "free-rod", "--scheme", "euler"], "--step"),
         (vec!["run", "free-rod", "--scheme", "euler", "--step", "-1"], "--step"),
         (vec!["run", "free-rod", "--scheme", "euler", "--step", "nan"], "--step"),
         (vec!["run", "free-rod", "--scheme", "euler", "--steps", "0"], "--steps"),

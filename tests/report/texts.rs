@@ -1,7 +1,7 @@
 //! What build servers and the terminal are told.
 
 use polhode::internals::report;
-use polhode::record::Ruling;
+use polhode::record::{ClaimName, Ruling, Verdict};
 
 use super::synthetic::few;
 
@@ -33,14 +33,54 @@ fn annotations_cannot_be_broken_by_their_text() {
 }
 
 #[test]
-fn the_terminal_table_fits_100_columns_and_ends_with_a_summary() {
+fn a_green_gate_is_a_line_a_scheme_and_a_summary() {
+    let mut records = few(&[3, 8, 9]);
+    records.verdicts.retain(|verdict| verdict.verdict == Ruling::Pass || verdict.known_deviation.is_some());
+    let text = report::verdict_table(&records, false);
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!(lines.len(), 4, "{text}");
+    assert!(lines[0].starts_with("peskin-rk2  pass") && lines[1].starts_with("euler       pass"), "{text}");
+    assert!(lines[0].contains(" 2 scenes: ") && lines[3].contains(" verdicts: "), "{text}");
+    assert!(lines.iter().all(|line| line.chars().count() <= 100), "{text}");
+}
+
+#[test]
+fn what_is_red_is_one_line_a_scheme_and_scene_with_the_size_first() {
     let records = few(&[3, 8, 9]);
-    for verbose in [false, true] {
-        let text = report::verdict_table(&records, verbose);
-        assert!(text.lines().all(|line| line.chars().count() <= 100), "{text}");
-        assert!(text.trim_end().ends_with("not applicable"), "{text}");
-        assert!(text.contains("known since 2021") && text.contains("slopes do not settle"), "{text}");
+    let text = report::verdict_table(&records, false);
+    let red: Vec<&str> = text.lines().filter(|line| line.contains(" in scene-")).collect();
+    let mut places: Vec<(&str, &str)> = records
+        .verdicts
+        .iter()
+        .filter(|v| !matches!(v.verdict, Ruling::Pass | Ruling::NotApplicable) && v.known_deviation.is_none())
+        .map(|v| (v.scene.as_str(), v.scheme.as_str()))
+        .collect();
+    places.sort_unstable();
+    places.dedup();
+    assert_eq!(red.len(), places.len(), "{text}");
+    for (scene, scheme) in places {
+        let place = format!("{scheme} in {scene}: ");
+        let own: Vec<&&str> = red.iter().filter(|line| line.contains(&place)).collect();
+        assert_eq!(own.len(), 1, "{text}");
     }
-    let brief = report::verdict_table(&records, false).lines().count();
-    assert!(brief < report::verdict_table(&records, true).lines().count());
+    let order = red.iter().find(|line| line.starts_with("fail: ")).expect("a failure");
+    let (size, rule) = (order.find(" off by ").expect("a size"), order.find("order, ").expect("a rule"));
+    assert!(size < rule && order.contains(" at h = "), "{order}");
+    assert!(text.trim_end().ends_with("not applicable"), "{text}");
+    assert!(!text.contains("known since 2021"), "{text}");
+}
+
+#[test]
+fn verbose_gives_a_scheme_in_a_scene_at_most_ten_lines() {
+    let mut records = few(&[3, 8, 9]);
+    assert!(report::verdict_table(&records, true).contains("(known: known since 2021"));
+    let pattern = records.verdicts[0].clone();
+    for claim in ClaimName::ALL {
+        records.verdicts.push(Verdict { claim, ..pattern.clone() });
+    }
+    let text = report::verdict_table(&records, true);
+    let place = format!("{} in {}: ", pattern.scheme, pattern.scene);
+    let block = text.split("\n\n").find(|block| block.starts_with(&place)).expect("a block");
+    assert_eq!(block.lines().count(), 10, "{block}");
+    assert!(text.split("\n\n").all(|block| !block.contains("\n  ") || block.lines().count() <= 10), "{text}");
 }

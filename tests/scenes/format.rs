@@ -120,7 +120,7 @@ fn a_rod_may_spin_across_itself_and_a_point_may_rest() {
 fn names_and_paths_are_told_apart() {
     assert!(scene("kovalevskaya").built_in);
     let Err(SceneError::Unknown { name, near }) = Scene::find("kovalevskya") else { panic!("found") };
-    assert_eq!((name.as_str(), near), ("kovalevskya", vec!["kovalevskaya"]));
+    assert_eq!((name.as_str(), near.len(), near[0]), ("kovalevskya", 3, "kovalevskaya"));
     assert!(matches!(Scene::find("no/such/file"), Err(SceneError::Unreadable { .. })));
     assert!(matches!(Scene::find("nowhere.toml"), Err(SceneError::Unreadable { .. })));
     let folder = scratch();

@@ -251,7 +251,7 @@ fn stored_limits_and_lines_are_those_that_the_code_makes() {
         let name = contestant.card.name;
         assert!(
             stored.line(name).is_some(),
-            "{name} has no line: polhode stability --store references/stability.json"
+            "{name} has no line: polhode stability --force --store references/stability.json"
         );
         assert!(
             stored.linear.iter().any(|row| row.scheme == name)

@@ -4,6 +4,7 @@ mod cell;
 mod ladder;
 mod row;
 mod side;
+mod summary;
 
 use std::path::Path;
 
@@ -14,9 +15,10 @@ use self::cell::Cell;
 use self::row::{Row, Standing};
 use self::side::Side;
 use super::Failure;
+use super::exit::UNDECIDED;
 use super::output::print;
 use super::progress::with_bar;
-use super::select::{self, Selection};
+use super::select;
 use crate::campaign::{self, Campaign, SECONDS_A_COST};
 use crate::record::Records;
 
@@ -28,9 +30,11 @@ pub(super) struct Options {
     a: String,
     /// Another scheme, or another records file
     b: String,
-    /// Scene to compare in: a built-in name or a TOML file; may be given several times [default: all built-in]
-    #[arg(long = "scene", value_name = "X")]
-    scenes: Vec<String>,
+    #[command(flatten)]
+    scenes: select::Scenes,
+    /// Show the rows that are the same on either side too
+    #[arg(long)]
+    all: bool,
 }
 
 const EXAMPLES: &str = "\
@@ -47,30 +51,41 @@ kind, its order in h, and its rate. Of the cost: force evaluations and time of a
 Exit code: 0 the second is nowhere worse, 1 it is somewhere: an order lower by more than 0.15; at the same order an error
 larger by more than 5 % at equal work; a drift of a worse kind or order, or larger by more than 10 %; more evaluations a step
 without anything in the scene being better for it; in records files also what was measured before and is not any more.
-2 neither could be measured in any scene.";
+2 nothing was compared: neither could be measured in any scene, or two files have no scene and scheme in common.";
 
 pub(super) fn compare(options: &Options, quiet: bool) -> Result<u8, Failure> {
     let (a, b) = sides(options, quiet)?;
-    let cells = Cell::pairs(&a, &b, &options.scenes);
+    let cells = Cell::pairs(&a, &b, &options.scenes.names());
     let rows: Vec<Row> = cells.iter().flat_map(Cell::rows).collect();
     if rows.is_empty() {
-        return Err(Failure::Usage(format!("{} and {} have no scene and scheme in common", a.name, b.name)));
+        eprintln!(
+            "polhode: nothing was compared: {} and {} have no scene and scheme in common",
+            a.name, b.name
+        );
+        return Ok(UNDECIDED);
     }
     let count = |standing| rows.iter().filter(|row| row.standing == standing).count();
     let compared = rows.iter().filter(|row| row.standing.compares()).count();
     let (worse, better) = (count(Standing::Worse), count(Standing::Better));
     let refused = count(Standing::NotApplicable);
+    let shown: Vec<Row> =
+        rows.iter().filter(|row| options.all || row.standing != Standing::Same).cloned().collect();
+    let hidden = match rows.len() - shown.len() {
+        0 => String::new(),
+        count => format!("{count} rows that are the same are not shown; --all shows them\n"),
+    };
     print(&format!(
-        "{}\n\nA = {}, B = {}: {compared} quantities compared, {better} better, {worse} worse, {} undecided; \
-         not applicable in {refused} scene{}\n",
-        tables(&rows, a.scheme.is_none()),
+        "{}\n{hidden}\nA = {}, B = {}: {compared} quantities compared, {better} better, {worse} worse, {} undecided; \
+         not applicable in {refused} scene{}\n{}",
+        tables(&shown, a.scheme.is_none()),
         a.name,
         b.name,
         count(Standing::Undecided),
         if refused == 1 { "" } else { "s" },
+        summary::sentences(&rows, &a.name, &b.name),
     ))?;
     Ok(match (worse, compared) {
-        (0, 0) => 2,
+        (0, 0) => UNDECIDED,
         (0, _) => 0,
         _ => 1,
     })
@@ -87,7 +102,7 @@ fn sides(options: &Options, quiet: bool) -> Result<(Side, Side), Failure> {
             if options.b != options.a {
                 contestants.push(select::contestant(&options.b)?);
             }
-            let scenes = Selection::of_scenes(options.scenes.clone()).scenes()?;
+            let scenes = options.scenes.open()?;
             let grid = Campaign::of(scenes.clone(), contestants.clone());
             let mut records = with_bar(quiet, "measuring", |progress| Campaign { progress, ..grid }.run());
             campaign::add_costs(&mut records, &scenes, &contestants, SECONDS_A_COST);

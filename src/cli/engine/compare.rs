@@ -6,6 +6,7 @@ use clap::Args;
 
 use crate::campaign::{self, Campaign};
 use crate::cli::Failure;
+use crate::cli::output::Force;
 use crate::cli::progress::with_bar;
 use crate::cli::select::Selection;
 use crate::report;
@@ -17,6 +18,8 @@ pub(super) struct Options {
     #[arg(long, value_name = "DIR", default_value = "reports/engines")]
     out: PathBuf,
     #[command(flatten)]
+    force: Force,
+    #[command(flatten)]
     selection: Selection,
 }
 
@@ -26,6 +29,7 @@ pub(super) fn compare(options: &Options, quiet: bool) -> Result<u8, Failure> {
         let how = "name at least one engine: --scheme 'engine:python3 my_engine.py'";
         return Err(Failure::Usage(how.to_owned()));
     }
+    report::try_folder(&options.out, "engines.json", &["engines.md"], options.force.given)?;
     let grid = Campaign::of(scenes.clone(), contestants.clone());
     let mut records = with_bar(quiet, "measuring", |progress| Campaign { progress, ..grid }.run());
     with_bar(quiet, "comparing", |progress| {

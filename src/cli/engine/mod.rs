@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use clap::{Args, Subcommand, ValueEnum};
 
 use super::Failure;
-use super::output::print;
+use super::output::{Force, print};
 use crate::engine::{self, Language};
 use crate::record;
 
@@ -48,6 +48,8 @@ enum What {
         /// File to write instead of stdout
         #[arg(long, value_name = "FILE")]
         out: Option<PathBuf>,
+        #[command(flatten)]
+        force: Force,
     },
     /// Hold an engine against the protocol, line by line, or against the contract, clause by clause
     #[command(after_help = CHECK_EXAMPLES)]
@@ -76,8 +78,9 @@ enum Choice {
 
 pub(super) fn engine(options: &Options, quiet: bool) -> Result<u8, Failure> {
     match &options.what {
-        What::New { language, out } => {
+        What::New { language, out, force } => {
             let text = language.language().template();
+            force.try_place(out.as_ref(), |head| head == text)?;
             match out {
                 Some(path) => record::write_whole(path, text.as_bytes())?,
                 None => print(text)?,

@@ -11,6 +11,7 @@ use rayon::prelude::*;
 use crate::record::stability::{Map, Stability};
 use crate::record::{write_json, write_whole};
 
+use super::folder::Folder;
 use super::{ReportError, plot};
 
 pub use table::table;
@@ -20,18 +21,24 @@ pub use table::table;
 /// # Errors
 /// A file cannot be written, or a picture cannot be made.
 pub fn write(study: &Stability, out: &Path) -> Result<(), ReportError> {
-    write_json(&out.join("stability.json"), study)?;
-    write_whole(&out.join("stability.md"), page::compose(study).as_bytes())?;
     let fault = |path: &Path, why: String| ReportError::Picture { path: path.into(), why };
     let curves = plot::stability::pictures(study).map_err(|plot::Fault(why)| fault(out, why))?;
+    let maps = study.maps.iter().map(|map| format!("maps/{}.png", map_file(map)));
+    let files = ["stability.json", "stability.md"].map(str::to_owned).into_iter();
+    let files = files.chain(curves.iter().map(|(name, _)| (*name).to_owned())).chain(maps).collect();
+    let folder = Folder::open(out, "stability.json")?;
+    folder.begin(&files)?;
+    write_json(&out.join("stability.json"), study)?;
+    write_whole(&out.join("stability.md"), page::compose(study).as_bytes())?;
     for (name, png) in curves {
         write_whole(&out.join(name), &png)?;
     }
     study.maps.par_iter().try_for_each(|map| {
         let path = out.join("maps").join(format!("{}.png", map_file(map)));
         let png = pictures::heat_map(map).png().map_err(|error| fault(&path, error.to_string()))?;
-        Ok(write_whole(&path, &png)?)
-    })
+        write_whole(&path, &png).map_err(ReportError::File)
+    })?;
+    Ok(folder.finish(&files)?)
 }
 
 /// Name of the picture of a map, without its ending.

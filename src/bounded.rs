@@ -1,0 +1,61 @@
+//! Input files, read up to a bound: a device without an end is refused at once.
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+/// Most bytes of a scene file, a mesh of 3e5 mass points.
+pub const MOST_OF_A_SCENE: u64 = 64 << 20;
+/// Most bytes of a trajectory file, 4e6 rows of fourteen columns.
+#[cfg(feature = "cli")]
+pub const MOST_OF_A_LOG: u64 = 1 << 30;
+/// Most bytes of a records file: a hundred times those of every scheme in every scene.
+pub const MOST_OF_RECORDS: u64 = 4 << 30;
+
+/// Bytes that are looked at before the rest is read.
+const FIRST: u64 = 1 << 16;
+
+/// Why a file was not read.
+#[derive(Debug)]
+pub enum Unread {
+    /// What the system said.
+    System(io::Error),
+    /// It cannot be such a file: why.
+    Content(String),
+}
+
+/// The bytes of a text file.
+///
+/// # Errors
+/// [`Unread`]: it cannot be read, holds more than `most` bytes, or holds a zero byte in its first 64 KiB, which no text does.
+pub fn read(path: &Path, most: u64) -> Result<Vec<u8>, Unread> {
+    let mut file = File::open(path).map_err(Unread::System)?;
+    let mut bytes = Vec::new();
+    file.by_ref().take(FIRST.min(most)).read_to_end(&mut bytes).map_err(Unread::System)?;
+    if bytes.contains(&0) {
+        return Err(Unread::Content("this is not text in UTF-8: it holds zero bytes".to_owned()));
+    }
+    let rest = most + 1 - bytes.len() as u64;
+    file.take(rest).read_to_end(&mut bytes).map_err(Unread::System)?;
+    if bytes.len() as u64 > most {
+        return Err(Unread::Content(format!("the file is larger than {} MiB", most >> 20)));
+    }
+    Ok(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_read_to_its_bound_and_no_further() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("text");
+        std::fs::write(&path, "12345678").expect("written");
+        assert_eq!(read(&path, 8).expect("read"), b"12345678");
+        assert!(matches!(read(&path, 7), Err(Unread::Content(why)) if why.contains("larger")));
+        std::fs::write(&path, "12\u{0}45678").expect("written");
+        assert!(matches!(read(&path, 8), Err(Unread::Content(why)) if why.contains("zero")));
+        assert!(matches!(read(&folder.path().join("none"), 8), Err(Unread::System(_))));
+    }
+}
