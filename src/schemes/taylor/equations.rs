@@ -134,17 +134,18 @@ impl<'a, const L: usize> Expansion<'a, L> {
             let (frame, above) = self.frame.split_at_mut(k + 1);
             let next = &mut above[0];
             cross(frame, &self.spin[..=k], next); // (1)
-            for c in 0..3 {
-                self.spin[k + 1][c] =
-                    (self.gyroscopic[c] * products[c] + self.inverse[c] * load.torque[c]) * share; // (2)
+            for (c, next) in next.iter_mut().enumerate() {
                 if L == MOVING {
-                    next[c][SPEED] += load.force[c]; // (3)
-                    next[c][WAY] += frame[k][c][SPEED]; // (4)
+                    next[SPEED] += load.force[c]; // (3)
+                    next[WAY] += frame[k][c][SPEED]; // (4)
                 }
-                for lane in &mut next[c] {
+                for lane in next {
                     *lane *= share;
                 }
             }
+            self.spin[k + 1] = std::array::from_fn(|c| {
+                (self.gyroscopic[c] * products[c] + self.inverse[c] * load.torque[c]) * share // (2)
+            });
         }
     }
 

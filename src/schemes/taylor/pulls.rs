@@ -131,8 +131,7 @@ impl Pulls {
                 }
             }
         }
-        for lane in 0..self.count {
-            let arm = &self.arms[lane];
+        for (lane, arm) in self.arms[..self.count].iter().enumerate() {
             let damped = by(&seen.velocity_at(arm), -self.damping[lane]);
             let force = plus(&[pull[0][lane], pull[1][lane], pull[2][lane]], &damped);
             load.add(&force, &by(&cross_product(arm, &force), self.lever)); // (6)

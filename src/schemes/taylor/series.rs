@@ -149,11 +149,8 @@ impl Sinusoid {
     pub fn expand<'a>(&self, time: f64, into: &'a mut Curve) -> &'a [Vector] {
         let Sinusoid { constant, cosine, sine, frequency } = *self;
         let (sin, cos) = (frequency * time).sin_cos();
-        let [mut even, mut odd] = [[0.0; 3]; 2];
-        for c in 0..3 {
-            even[c] = cosine[c] * cos + sine[c] * sin;
-            odd[c] = sine[c] * cos - cosine[c] * sin;
-        }
+        let even: Vector = std::array::from_fn(|c| cosine[c] * cos + sine[c] * sin);
+        let odd: Vector = std::array::from_fn(|c| sine[c] * cos - cosine[c] * sin);
         let length = if frequency == 0.0 { 1 } else { CAPACITY };
         let mut factor = 1.0;
         for (k, place) in into[..length].iter_mut().enumerate() {
@@ -213,31 +210,50 @@ mod tests {
     }
 
     #[test]
-    fn products_and_powers_of_exponentials_are_exponentials() {
+    fn products_of_exponentials_are_exponentials() {
         let [one, two, three] = [1.0, 2.0, 3.0].map(exponential);
         let vectors: Curves<1> = std::array::from_fn(|k| [[one[k]], [2.0 * one[k]], [3.0 * one[k]]]);
         let other: Curve = std::array::from_fn(|k| [two[k], -two[k], 0.5 * two[k]]);
         let plain: Curve = std::array::from_fn(|k| vectors[k].map(|[x]| x));
         let doubles: Series<1> = two.map(|x| [x]);
-        let mut root: Series<1> = [[0.0]; CAPACITY];
-        for k in 0..CAPACITY {
-            let expected = [4.0, 2.5, -3.0].map(|x| x * three[k]);
+        for (k, (two, three)) in two.into_iter().zip(three).enumerate() {
+            let expected = [4.0, 2.5, -3.0].map(|x| x * three);
             let (mut lanes, alone) = ([[0.0; 1]; 3], cross_of_two(&plain, &other, k));
             cross(&vectors[..=k], &other[..=k], &mut lanes);
             let product = times(&vectors, &doubles, k);
-            for c in 0..3 {
-                assert!(near(lanes[c][0], expected[c]) && near(alone[c], expected[c]), "order {k}");
-                assert!(near(product[c][0], (c as f64 + 1.0) * three[k]), "order {k}");
-                assert!(near(pairs(&plain, k)[c], [6.0, 3.0, 2.0][c] * two[k]), "order {k}");
+            let (pairs, of_pairs) = (pairs(&plain, k), [6.0, 3.0, 2.0].map(|x| x * two));
+            for (value, expected) in [(lanes.map(|[x]| x), expected), (alone, expected), (pairs, of_pairs)] {
+                assert!(
+                    value.iter().zip(expected).all(|(value, expected)| near(*value, expected)),
+                    "order {k}"
+                );
             }
-            assert!(near(norm_squared(&vectors, k)[0], 14.0 * two[k]), "order {k}");
-            root[k] = power(&doubles, 0.5, &root, k);
-            // Terms of both signs up to k times as large as their sum.
-            assert!(
-                (root[k][0] - one[k]).abs() <= 200.0 * f64::EPSILON * two[k],
-                "order {k}: {}",
-                root[k][0]
-            );
+            for (c, [value]) in product.into_iter().enumerate() {
+                assert!(near(value, (c as f64 + 1.0) * three), "order {k}");
+            }
+            assert!(near(norm_squared(&vectors, k)[0], 14.0 * two), "order {k}");
+        }
+    }
+
+    #[test]
+    fn powers_of_a_geometric_series_are_binomial() {
+        let geometric: Series<3> = [[1.0; 3]; CAPACITY];
+        for exponent in [1.5, -0.5, -1.5] {
+            let mut found: Series<3> = [[0.0; 3]; CAPACITY];
+            let mut expected = 1.0;
+            for k in 0..CAPACITY {
+                found[k] = power(&geometric, exponent, &found, k);
+                if k > 0 {
+                    expected *= (exponent + k as f64 - 1.0) / k as f64;
+                }
+                for value in found[k] {
+                    // Up to 24 terms of size one.
+                    assert!(
+                        (value - expected).abs() <= 24.0 * f64::EPSILON,
+                        "{exponent}, order {k}: {value}"
+                    );
+                }
+            }
         }
     }
 
