@@ -106,9 +106,11 @@ impl<'a> Cell<'a> {
             let [a, b] = [0, 1].map(|side| self.sides[side].claimed_order(self.schemes[side]));
             a == b || a.is_none() || b.is_none()
         };
-        let constants = before.constant.zip(after.constant).filter(|_| same_claim);
-        let ratio = constants.map(|(a, b)| b / a);
         let orders = before.order.zip(after.order);
+        // Constants of different orders have different units.
+        let same_order = orders.is_none_or(|(a, b)| a.round() == b.round());
+        let constants = before.constant.zip(after.constant).filter(|_| same_claim && same_order);
+        let ratio = constants.map(|(a, b)| b / a);
         let at_equal_work = match (ratio, orders) {
             (Some(ratio), Some((order, _))) => Some(ratio * self.work_ratio().powf(order)),
             _ if before.status == OrderStatus::Exact && after.status == OrderStatus::Exact => None,
