@@ -41,6 +41,8 @@ mod engine;
 pub mod campaign;
 mod assertion;
 #[cfg(feature = "cli")]
+mod inspect;
+#[cfg(feature = "cli")]
 mod log;
 #[cfg(feature = "cli")]
 mod self_test;

@@ -6,13 +6,14 @@ use std::fs;
 use crate::sources::{self, File};
 
 /// The rooms of the layout.
-const ROOMS: [&str; 18] = [
+const ROOMS: [&str; 19] = [
     "arithmetic",
     "campaign",
     "claim",
     "cli",
     "engine",
     "gates",
+    "inspect",
     "log",
     "measure",
     "model",
@@ -85,6 +86,7 @@ const EDGES: &[(&str, &[&str])] = &[
         ],
     ),
     ("assertion", &["campaign", "claim", "gates", "record", "scenes", "schemes", "simulate"]),
+    ("inspect", &["model", "rotation", "scenes"]),
     ("log", &["model", "ode", "record", "reference", "rotation", "scenes"]),
     (
         "self_test",
@@ -112,6 +114,7 @@ const EDGES: &[(&str, &[&str])] = &[
             "claim",
             "engine",
             "gates",
+            "inspect",
             "interrupt",
             "log",
             "measure",
