@@ -72,7 +72,7 @@ pub mod internals {
         };
     }
 
-    rooms!(arithmetic, engine, log, ode, report, rotation, self_test, study);
+    rooms!(arithmetic, engine, inspect, log, ode, report, rotation, self_test, study);
 
     pub mod campaign {
         pub use crate::campaign::cell::setting;

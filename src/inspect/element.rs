@@ -15,7 +15,7 @@ pub(super) const LARGEST_FILE: u64 = 64 << 20;
 /// Most nodes of a file: a node takes some hundred bytes, so the tree stays below a gigabyte.
 const MOST_NODES: u32 = 4_000_000;
 /// Deepest nesting: robots on record stay below 60 (humanoid_CMU: 21); readers descend recursively.
-const DEEPEST: usize = 256;
+pub(super) const DEEPEST: usize = 256;
 
 /// One element.
 #[derive(Clone, Debug)]

@@ -55,6 +55,7 @@ fn body(link: &Link, judged: &Judged, advice: &Advice) -> Value {
         "fill": judged.fill,
         "uniform_ratio": judged.uniform_ratio,
         "after_compiler": link.compiled.map(|(mass, moments)| json!({ "mass_kg": mass, "principal_kg_m2": moments })),
+        "oddities": advice.oddities,
         "single_changes": advice.candidates,
         "repair": advice.repair.as_ref().map(repair),
         "several": advice.several.iter().map(repair).collect::<Vec<_>>(),

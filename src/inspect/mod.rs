@@ -19,18 +19,22 @@ mod solid;
 mod urdf;
 mod verdict;
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use nalgebra::Matrix3;
+use rayon::prelude::*;
 
 pub use error::InspectError;
 pub use verdict::Verdict;
 
 use crate::scenes::Scene;
 use link::{Link, Robot};
-use repair::{Advice, Case, Repair};
+use repair::{Advice, Case, Repair, Sides};
 use verdict::Judged;
+
+/// Most bodies of a file: an impossible one takes some 0.1 ms.
+const MOST_BODIES: usize = 100_000;
 
 /// The bodies of a file, judged.
 #[derive(Clone, Debug)]
@@ -110,11 +114,17 @@ pub fn inspect(path: &Path) -> Result<Inspection, InspectError> {
             (link, judged)
         })
         .collect();
+    if bodies.len() > MOST_BODIES {
+        let why = format!("{} bodies, and {MOST_BODIES} are the most that are judged", bodies.len());
+        return Err(InspectError::Content { file, line: 1, why });
+    }
+    let sides = Sides::of(&bodies);
     let advise = |(link, judged): &(Link, Judged)| {
         let inertial = link.inertial.as_ref()?;
-        Some(repair::find(&Case { link, judged, inertial, format: robot.format, all: &bodies }))
+        let case = Case { link, judged, inertial, format: robot.format, all: &bodies, sides: &sides };
+        Some(repair::find(&case))
     };
-    let advice = bodies.iter().map(|body| advise(body).unwrap_or_default()).collect();
+    let advice = bodies.par_iter().map(|body| advise(body).unwrap_or_default()).collect();
     Ok(Inspection {
         file,
         format: robot.format,
@@ -187,7 +197,7 @@ impl Inspection {
         let path = Path::new(&self.file);
         let stem = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
         let stem = stem.trim_end_matches(".mjcf").to_owned();
-        let mut taken = BTreeSet::new();
+        let mut taken = BTreeMap::new();
         let mut written = Vec::new();
         for ((link, judged), advice) in self.bodies.iter().zip(&self.advice) {
             let Some(inertial) = &link.inertial else { continue };
@@ -208,12 +218,15 @@ impl Inspection {
         stem: &str,
         link: &Link,
         (mass, tensor, repaired): (f64, Matrix3<f64>, bool),
-        taken: &mut BTreeSet<String>,
+        taken: &mut BTreeMap<String, usize>,
     ) -> Option<Written> {
         let base = scene::name_of(stem, &link.name) + if repaired { "-repaired" } else { "" };
-        let name = (1..)
-            .map(|n| if n == 1 { base.clone() } else { format!("{base}-{n}") })
-            .find(|name| !taken.contains(name))?;
+        let mut count = taken.get(&base).copied().unwrap_or(1);
+        let mut name = base.clone();
+        while taken.contains_key(&name) {
+            count += 1;
+            name = format!("{base}-{count}");
+        }
         let state = if repaired { "repaired, " } else { "" };
         let why = format!(
             "the body {} of {}, {state}about its centre of mass, in the axes of its link",
@@ -221,7 +234,8 @@ impl Inspection {
         );
         let text = scene::text(&name, &why, mass, &tensor);
         let scene = Scene::parse(&text, &format!("{name}.toml")).ok()?;
-        taken.insert(name.clone());
+        taken.insert(base, count);
+        taken.entry(name.clone()).or_insert(1);
         Some(Written { body: link.name.clone(), name, text, scene, repaired })
     }
 
@@ -246,7 +260,12 @@ fn summary(link: &Link, judged: &Judged, advice: &Advice) -> Summary {
         line: link.line,
         verdict: judged.verdict,
         numbers,
-        seen: judged.findings.iter().map(|finding| in_words(finding, link, judged)).collect(),
+        seen: judged
+            .findings
+            .iter()
+            .map(|finding| in_words(finding, link, judged))
+            .chain(advice.oddities.iter().cloned())
+            .collect(),
         repair: repair_in_words(judged, advice),
         remarks,
     }
@@ -301,13 +320,14 @@ fn in_words(finding: &str, link: &Link, judged: &Judged) -> String {
 }
 
 fn repair_in_words(judged: &Judged, advice: &Advice) -> Vec<String> {
-    let line = |repair: &Repair| format!("{} (witness: {})", repair.what, repair.how_known);
+    let line = |repair: &Repair| [repair.what.clone(), format!("  witness: {}", repair.how_known)];
     if let Some(repair) = &advice.repair {
-        let word = if repair.unique { "repair" } else { "likely, but other values would do as well" };
-        return vec![format!("{word}: {}", line(repair))];
+        let word = if repair.unique { "repair" } else { "several values would do; one of them" };
+        let [what, witness] = line(repair);
+        return vec![format!("{word}: {what}"), witness];
     }
     if !advice.several.is_empty() {
-        let all = advice.several.iter().map(line).map(|line| format!("  {line}"));
+        let all = advice.several.iter().flat_map(line).map(|line| format!("  {line}"));
         return std::iter::once("several repairs have a witness, and the file does not decide:".to_owned())
             .chain(all)
             .collect();

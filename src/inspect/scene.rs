@@ -93,14 +93,14 @@ pub(super) fn text(name: &str, why: &str, mass: f64, tensor: &Matrix3<f64>) -> S
     scene
 }
 
-/// A name in kebab-case of at most 90 letters.
+/// A name in kebab-case of at most 80 letters, which leaves room for an ending.
 pub(super) fn name_of(robot: &str, link: &str) -> String {
     let words: String = format!("{robot} {link}")
         .chars()
         .map(|letter| if letter.is_ascii_alphanumeric() { letter.to_ascii_lowercase() } else { ' ' })
         .collect();
     let mut name = words.split_whitespace().collect::<Vec<_>>().join("-");
-    name.truncate(90);
+    name.truncate(80);
     let name = name.trim_end_matches('-');
     if name.is_empty() { "body".to_owned() } else { name.to_owned() }
 }

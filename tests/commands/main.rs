@@ -7,6 +7,7 @@ mod advice;
 mod advise_and_sweep;
 mod campaigns;
 mod comparing;
+mod inspect;
 mod judge;
 mod lists;
 mod reference;

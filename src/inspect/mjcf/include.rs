@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use crate::inspect::element::{self, Element, Fault, LARGEST_FILE};
+use crate::inspect::element::{self, DEEPEST, Element, Fault, LARGEST_FILE};
 
 struct Includes<'p> {
     folder: &'p Path,
@@ -18,27 +18,31 @@ pub(super) fn resolve(root: &mut Element, path: &Path) -> Result<Vec<String>, Fa
     let folder = path.parent().unwrap_or(Path::new("."));
     let mut includes =
         Includes { folder, met: BTreeSet::from([path.to_owned()]), bytes: 0, notes: Vec::new() };
-    includes.splice(root)?;
+    includes.splice(root, 1)?;
     Ok(includes.notes)
 }
 
 impl Includes<'_> {
-    fn splice(&mut self, element: &mut Element) -> Result<(), Fault> {
+    /// `depth` counts elements from the root of the main file.
+    fn splice(&mut self, element: &mut Element, depth: usize) -> Result<(), Fault> {
+        if depth > DEEPEST {
+            return Err(Fault::at(element, format!("included files nest deeper than {DEEPEST} levels")));
+        }
         if element.children.iter().all(|child| child.name != "include") {
-            return element.children.iter_mut().try_for_each(|child| self.splice(child));
+            return element.children.iter_mut().try_for_each(|child| self.splice(child, depth + 1));
         }
         for mut child in std::mem::take(&mut element.children) {
             if child.name == "include" {
-                element.children.extend(self.open(&child)?);
+                element.children.extend(self.open(&child, depth)?);
             } else {
-                self.splice(&mut child)?;
+                self.splice(&mut child, depth + 1)?;
                 element.children.push(child);
             }
         }
         Ok(())
     }
 
-    fn open(&mut self, include: &Element) -> Result<Vec<Element>, Fault> {
+    fn open(&mut self, include: &Element, depth: usize) -> Result<Vec<Element>, Fault> {
         let Some(name) = include.attribute("file") else {
             return Err(Fault::at(include, "has no file"));
         };
@@ -65,7 +69,7 @@ impl Includes<'_> {
             ));
         }
         let mut root = element::parse(&text, name).map_err(|error| Fault::at(include, error))?;
-        self.splice(&mut root)?;
+        self.splice(&mut root, depth)?;
         Ok(root.children)
     }
 }

@@ -92,7 +92,7 @@ impl Reader {
             link.inertial = Some(inertial(given, &self.settings)?);
             link.source = Source::Explicit;
         } else if self.settings.from_geom != FromGeom::Never {
-            self.from_geoms(&holder.geoms, &mut link);
+            self.by_geoms(&holder.geoms, &mut link);
         }
         if given.is_some() && self.settings.from_geom == FromGeom::Always {
             link.notes.push("inertiafromgeom=\"true\": <inertial> is not read".to_owned());
@@ -103,7 +103,7 @@ impl Reader {
         Ok(())
     }
 
-    fn from_geoms(&self, geoms: &[Geom], link: &mut Link) {
+    fn by_geoms(&self, geoms: &[Geom], link: &mut Link) {
         let counted = || geoms.iter().filter(|geom| self.settings.groups.contains(&geom.group));
         if counted().any(|geom| geom.mesh && geom.mass != Some(0.0)) {
             link.notes.push("its mass comes from a mesh, which is not read".to_owned());

@@ -6,16 +6,45 @@ use super::super::change::Change;
 use super::super::link::{MOMENTS, PRODUCTS, SIX, tensor_of};
 use super::super::outline::Outline;
 use super::super::verdict::{Verdict, principal};
-use super::{CLOSE, Case, Repair};
+use super::{BY_NUMBERS, CLOSE, Case, Repair};
 
 pub(super) fn repairs(case: &Case, changes: &[Change]) -> Vec<Repair> {
     if case.judged.verdict == Verdict::Rounding {
         return vec![more_digits(case)];
     }
+    if case.judged.findings.iter().all(|finding| !BY_NUMBERS.contains(finding)) {
+        return Vec::new();
+    }
     let witnessed = [row_major(case), equal_round_products(case, changes), lost_point(case, changes)];
     let found: Vec<Repair> = witnessed.into_iter().flatten().collect();
     if found.is_empty() { products_of_cad(case, changes).into_iter().collect() } else { found }
 }
+
+/// What is odd about the digits of an impossible body, and says nothing about the right ones.
+pub(super) fn oddities(case: &Case) -> Vec<String> {
+    let six = &case.inertial.six;
+    let first = &six[0];
+    if first.value != 0.0 && six.iter().all(|number| number.text == first.text && !number.text.is_empty()) {
+        return vec![format!("all six numbers are {}: a form that was filled in", first.text)];
+    }
+    let mut seen = Vec::new();
+    for product in PRODUCTS {
+        let repeated = MOMENTS.into_iter().find(|moment| {
+            six[*moment].text == six[product].text && six[product].significant_digits() >= REPEATED
+        });
+        if let Some(moment) = repeated {
+            let (own, other) = (SIX[product], SIX[moment]);
+            seen.push(format!(
+                "{own} repeats {other} to the last digit, {}: a slip of transcription, by which {own} is lost",
+                six[product].text
+            ));
+        }
+    }
+    seen
+}
+
+/// Digits of a number that are not repeated by chance.
+const REPEATED: usize = 4;
 
 /// Some possible body prints these very digits: the uniform outline where it does, else the nearest one.
 fn more_digits(case: &Case) -> Repair {

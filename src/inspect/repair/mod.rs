@@ -10,6 +10,8 @@ mod twin;
 
 use nalgebra::{Matrix3, Vector3};
 
+pub(super) use twin::Sides;
+
 use super::change;
 use super::link::{Inertial, Link};
 use super::verdict::{Judged, Verdict};
@@ -42,6 +44,8 @@ pub(super) struct Advice {
     pub several: Vec<Repair>,
     /// Single changes that make the numbers possible, witnessed or not.
     pub candidates: Option<Vec<String>>,
+    /// What is odd about the digits, where that does not lead to a repair by itself.
+    pub oddities: Vec<String>,
 }
 
 /// A link to repair, with its neighbours.
@@ -52,6 +56,7 @@ pub(super) struct Case<'a> {
     pub format: &'static str,
     /// All links with their verdicts.
     pub all: &'a [(Link, Judged)],
+    pub sides: &'a Sides,
 }
 
 impl Case<'_> {
@@ -65,16 +70,19 @@ impl Case<'_> {
     }
 }
 
+/// Findings that the six numbers alone make.
+const BY_NUMBERS: [&str; 2] = ["triangle", "negative-moment"];
+
 /// Looks for the repair of a link.
 pub(super) fn find(case: &Case) -> Advice {
     let mut advice = Advice::default();
     let has = |finding: &str| case.judged.findings.contains(&finding);
-    let by_numbers =
-        case.judged.verdict == Verdict::Impossible && (has("triangle") || has("negative-moment"));
+    let by_numbers = case.judged.verdict == Verdict::Impossible && BY_NUMBERS.into_iter().any(has);
     let changes =
         if by_numbers { change::possible(&case.inertial.values(), case.format) } else { Vec::new() };
     if by_numbers {
         advice.candidates = Some(change::listed(&changes));
+        advice.oddities = digits::oddities(case);
     }
     let tries: [&dyn Fn() -> Vec<Repair>; 5] = [
         &|| twin::repairs(case, &changes),

@@ -34,7 +34,10 @@ pub(super) fn repairs(case: &Case, changes: &[Change]) -> Vec<Repair> {
     let Some((outline, uniform)) = exact(case) else { return Vec::new() };
     let has = |finding: &str| case.judged.findings.contains(&finding);
     let mass = case.mass();
-    if has("not-a-number") || has("inertia-without-mass") || has("negative-mass") || mass == 0.0 {
+    if has("inertia-without-mass") {
+        return mass_of(case, &uniform);
+    }
+    if has("not-a-number") || has("negative-mass") || mass == 0.0 {
         return Vec::new();
     }
     let sound = |tensor: &Matrix3<f64>, mass: f64| {
@@ -67,6 +70,17 @@ pub(super) fn repairs(case: &Case, changes: &[Change]) -> Vec<Repair> {
         }
     }
     tried
+}
+
+/// The mass under which a tensor without one is that of the uniform solid.
+fn mass_of(case: &Case, uniform: &Uniform) -> Vec<Repair> {
+    let tensor = case.inertial.tensor();
+    let mass = tensor.trace() / uniform.tensor.trace();
+    if mass / uniform.volume > DENSEST || !close(&tensor, &(uniform.tensor * mass), CLOSE) {
+        return Vec::new();
+    }
+    let how = "the tensor has the proportions of the uniform outline, and is that of this mass".to_owned();
+    vec![Repair { mass, ..case.repair("mass-from-outline", format!("mass {mass:.6} kg"), how, tensor) }]
 }
 
 fn remove_second(case: &Case, tensor: Matrix3<f64>) -> Repair {

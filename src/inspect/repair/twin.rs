@@ -1,5 +1,7 @@
 //! The mirrored twin of a link: equal masses, centres of mass and tensors mirrored in a plane through the link frames.
 
+use std::collections::BTreeMap;
+
 use nalgebra::{Matrix3, Vector3};
 
 use super::super::change::Change;
@@ -20,7 +22,44 @@ struct Twin<'a> {
     tensor: Matrix3<f64>,
 }
 
+/// Links whose names differ by words for sides only: places in the list of links.
+#[derive(Clone, Debug, Default)]
+pub(in super::super) struct Sides(BTreeMap<Vec<String>, Vec<usize>>);
+
+/// Links of one name but for the side; robots have two, and a file that repeats a name 1e5 times is read in bounded time.
+const MOST_ALIKE: usize = 16;
+
+impl Sides {
+    pub fn of(links: &[(Link, Judged)]) -> Sides {
+        let mut sides = Sides::default();
+        for (place, (link, _)) in links.iter().enumerate() {
+            let alike = sides.0.entry(without_sides(&link.name)).or_default();
+            if alike.len() < MOST_ALIKE {
+                alike.push(place);
+            }
+        }
+        sides
+    }
+}
+
+fn words(name: &str) -> Vec<String> {
+    name.to_lowercase().split(|c: char| !c.is_alphanumeric()).map(str::to_owned).collect()
+}
+
+fn without_sides(name: &str) -> Vec<String> {
+    let mut words = words(name);
+    for word in &mut words {
+        if let Some((left, _)) = SIDES.iter().find(|(left, right)| word == left || word == right) {
+            *word = (*left).to_owned();
+        }
+    }
+    words
+}
+
 pub(super) fn repairs(case: &Case, changes: &[Change]) -> Vec<Repair> {
+    if case.judged.verdict == Verdict::Possible {
+        return Vec::new();
+    }
     let Some(twin) = find(case) else { return Vec::new() };
     let has = |finding: &str| case.judged.findings.contains(&finding);
     let (name, axis) = (twin.name, AXES[twin.axis]);
@@ -55,7 +94,8 @@ pub(super) fn repairs(case: &Case, changes: &[Change]) -> Vec<Repair> {
 
 fn find<'a>(case: &Case<'a>) -> Option<Twin<'a>> {
     let center = case.inertial.pose.position;
-    case.all.iter().find_map(|(other, judged)| {
+    let alike = case.sides.0.get(&without_sides(&case.link.name))?;
+    alike.iter().filter_map(|place| case.all.get(*place)).find_map(|(other, judged)| {
         let given = other.inertial.as_ref()?;
         if !good(other, judged) || !are_sides(&case.link.name, &other.name) {
             return None;
@@ -74,9 +114,6 @@ fn good(link: &Link, judged: &Judged) -> bool {
 
 /// Whether a name becomes the other by exchanging the words for two sides.
 fn are_sides(one: &str, other: &str) -> bool {
-    let words = |name: &str| -> Vec<String> {
-        name.to_lowercase().split(|c: char| !c.is_alphanumeric()).map(str::to_owned).collect()
-    };
     let (one, other) = (words(one), words(other));
     let pair = |a: &str, b: &str| SIDES.iter().any(|(l, r)| (a, b) == (l, r) || (a, b) == (r, l));
     let differing: Vec<(&String, &String)> = one.iter().zip(&other).filter(|(a, b)| a != b).collect();
