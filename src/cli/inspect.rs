@@ -45,10 +45,10 @@ impossible  no distribution of mass has these numbers      limit    a point, a r
 suspect     the outline of primitives excludes them        frame    mass and tensor are zero
 rounding    within what the printed digits can hide        no-data  the file has no mass for it
 
-A repair needs a second witness in the file: the outline, the mirrored twin, a repeated number, the printed digits.
-Joints are left alone. A missing included file is named and left out; xacro and mesh volumes are not read.
+A repair needs a second witness in the file: the outline, the mirrored twin, a repeated number, the
+digits. Joints are left alone. A missing included file is named and left out; no xacro, no mesh files.
 
-Exit code: 0 every body can exist, 1 some cannot or has a fault with a witness, 2 no body has numbers to judge,
+Exit code: 0 every body can exist, 1 some cannot, or a fault has a witness, 2 no body has numbers,
 65 the file is no robot and no scene, 74 it cannot be read or a scene cannot be written.";
 
 pub(super) fn inspect(options: &Options) -> Result<u8, Failure> {

@@ -322,7 +322,7 @@ fn in_words(finding: &str, link: &Link, judged: &Judged) -> String {
 fn repair_in_words(judged: &Judged, advice: &Advice) -> Vec<String> {
     let line = |repair: &Repair| [repair.what.clone(), format!("  witness: {}", repair.how_known)];
     if let Some(repair) = &advice.repair {
-        let word = if repair.unique { "repair" } else { "several values would do; one of them" };
+        let word = if repair.unique { "repair" } else { "one of several that would do" };
         let [what, witness] = line(repair);
         return vec![format!("{word}: {what}"), witness];
     }

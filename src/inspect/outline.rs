@@ -6,7 +6,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::link::Link;
-use super::solid::{Solid, compose};
+use super::solid::{Part, Solid, compose};
 
 /// The uniform solid of 1 kg.
 #[derive(Clone, Debug)]
@@ -74,10 +74,10 @@ impl Uniform {
         if !(volume > 0.0 && volume.is_finite()) {
             return None;
         }
-        let parts: Vec<(f64, &Solid)> =
-            solids.iter().map(|solid| (solid.shape.volume() / volume, solid)).collect();
+        let parts: Vec<Part> =
+            solids.iter().map(|solid| solid.of_mass(solid.shape.volume() / volume)).collect();
         let (_, center, tensor) = compose(&parts);
-        let own = parts.iter().map(|(share, solid)| solid.tensor() * *share).sum();
+        let own = parts.iter().map(|part| part.tensor * part.mass).sum();
         Some(Uniform { center, tensor, parts: own, volume })
     }
 }

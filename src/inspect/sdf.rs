@@ -10,7 +10,7 @@ use super::element::{Element, Fault, finite, number};
 use super::link::{Inertial, Link, Robot, SIX, Source};
 use super::pose;
 use super::printed::Printed;
-use super::solid::{Shape, Solid, compose};
+use super::solid::{Part, Shape, Solid, compose};
 
 /// Density where the file gives none [kg/m³].
 const WATER: f64 = 1000.0;
@@ -111,11 +111,8 @@ fn automatic(given: &Element, link: &mut Link) -> Result<(), Fault> {
         link.notes.push("auto=\"true\" with meshes: their mass is not in the file".to_owned());
         return Ok(());
     }
-    let parts: Vec<(f64, &Solid)> = link
-        .solids
-        .iter()
-        .map(|solid| (solid.density.unwrap_or(density) * solid.shape.volume(), solid))
-        .collect();
+    let own = |solid: &Solid| solid.of_mass(solid.density.unwrap_or(density) * solid.shape.volume());
+    let parts: Vec<Part> = link.solids.iter().map(own).collect();
     let (mut mass, center, mut tensor) = compose(&parts);
     if let Some(wanted) = given.child("mass") {
         let [wanted] = finite::<1>(wanted, wanted.text())?;

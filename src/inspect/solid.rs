@@ -89,15 +89,31 @@ impl Solid {
     }
 }
 
-/// Mass, centre of mass and tensor about it, in the axes of the link, of solids with these masses.
-pub(super) fn compose(parts: &[(f64, &Solid)]) -> (f64, Vector3<f64>, Matrix3<f64>) {
-    let mass: f64 = parts.iter().map(|(mass, _)| mass).sum();
+/// Matter that is put together: a uniform solid of a mass.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Part {
+    /// [kg].
+    pub mass: f64,
+    /// Centre of mass [m], axes of the link.
+    pub center: Vector3<f64>,
+    /// Tensor of 1 kg about the centre, axes of the link [m²].
+    pub tensor: Matrix3<f64>,
+}
+
+impl Solid {
+    /// The solid with a mass [kg].
+    pub fn of_mass(&self, mass: f64) -> Part {
+        Part { mass, center: self.pose.position, tensor: self.tensor() }
+    }
+}
+
+/// Mass, centre of mass and tensor about it, in the axes of the link.
+pub(super) fn compose(parts: &[Part]) -> (f64, Vector3<f64>, Matrix3<f64>) {
+    let mass: f64 = parts.iter().map(|part| part.mass).sum();
     if mass == 0.0 {
         return (0.0, Vector3::zeros(), Matrix3::zeros());
     }
-    let center: Vector3<f64> = parts.iter().map(|(part, solid)| solid.pose.position * (part / mass)).sum();
-    let about = |(part, solid): &(f64, &Solid)| {
-        (solid.tensor() + second_moment_inertia(&(solid.pose.position - center))) * *part
-    };
+    let center: Vector3<f64> = parts.iter().map(|part| part.center * (part.mass / mass)).sum();
+    let about = |part: &Part| (part.tensor + second_moment_inertia(&(part.center - center))) * part.mass;
     (mass, center, parts.iter().map(about).sum())
 }

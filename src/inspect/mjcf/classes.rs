@@ -11,7 +11,7 @@ pub(super) type Attributes<'e> = BTreeMap<&'e str, &'e str>;
 pub(super) struct Classes(BTreeMap<String, BTreeMap<String, BTreeMap<String, String>>>);
 
 /// Kinds of elements whose mass counts.
-const KINDS: [&str; 1] = ["geom"];
+const KINDS: [&str; 2] = ["geom", "mesh"];
 /// The class of the outermost `<default>`.
 const MAIN: &str = "main";
 

@@ -3,11 +3,12 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::classes::Attributes;
+use super::hull::{Hull, Hulls};
 use super::settings::Settings;
 use super::vector;
 use crate::inspect::element::{Element, Fault, finite};
 use crate::inspect::pose::{self, Pose};
-use crate::inspect::solid::{Shape, Solid};
+use crate::inspect::solid::{Part, Shape, Solid};
 use crate::rotation::{self, Rotation};
 
 /// Density where no class gives one [kg/m³].
@@ -19,6 +20,8 @@ pub(super) struct Geom {
     pub solid: Option<Solid>,
     /// Whether its size is not in the file.
     pub mesh: bool,
+    /// What a mesh without faces fills, in the axes of the body.
+    pub hull: Option<Hull>,
     /// [kg] where it is given; it beats the density.
     pub mass: Option<f64>,
     /// [kg/m³].
@@ -26,11 +29,26 @@ pub(super) struct Geom {
     pub group: i64,
 }
 
+impl Geom {
+    /// Its matter: the mass beats the density.
+    pub fn part(&self) -> Option<Part> {
+        let of = |volume: f64| self.mass.unwrap_or(self.density * volume);
+        match (&self.solid, &self.hull) {
+            (Some(solid), _) => Some(solid.of_mass(of(solid.shape.volume()))),
+            (None, Some(hull)) => {
+                Some(Part { mass: of(hull.volume), center: hull.center, tensor: hull.tensor })
+            }
+            (None, None) => None,
+        }
+    }
+}
+
 pub(super) fn read(
     element: &Element,
     given: &Attributes,
     settings: &Settings,
     frame: &Pose,
+    hulls: &Hulls,
 ) -> Result<Geom, Fault> {
     let one =
         |key: &str| given.get(key).map(|text| finite::<1>(element, text).map(|[value]| value)).transpose();
@@ -38,9 +56,15 @@ pub(super) fn read(
     let fitted = given.contains_key("mesh");
     let mesh = fitted || ["mesh", "hfield", "sdf"].contains(&kind);
     let solid = if mesh || kind == "plane" { None } else { Some(solid(element, given, settings, kind)?) };
+    let named = if kind == "mesh" { given.get("mesh").and_then(|name| hulls.get(*name)) } else { None };
+    let hull = match named {
+        Some(hull) => Some(hull.placed(&frame.then(&placed(element, given, settings)?))),
+        None => None,
+    };
     Ok(Geom {
         solid: solid.map(|solid| Solid { pose: frame.then(&solid.pose), ..solid }),
         mesh,
+        hull,
         mass: one("mass")?,
         density: one("density")?.unwrap_or(WATER),
         group: given.get("group").and_then(|text| text.parse().ok()).unwrap_or(0),

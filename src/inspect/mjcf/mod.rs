@@ -5,6 +5,7 @@
 
 mod classes;
 mod geom;
+mod hull;
 mod include;
 mod settings;
 
@@ -16,16 +17,19 @@ use super::element::{Element, Fault, finite, number, printed};
 use super::link::{Inertial, Link, Robot, Source, six_of};
 use super::pose::Pose;
 use super::printed::Printed;
-use super::solid::{Solid, compose};
+use super::solid::{Part, compose};
 use super::verdict::principal;
 use classes::Classes;
 use geom::Geom;
+use hull::Hulls;
 use settings::{FromGeom, Settings};
 
 pub(super) fn read(root: &mut Element, path: &Path) -> Result<Robot, Fault> {
     let notes = include::resolve(root, path)?;
     let settings = Settings::read(root)?;
-    let mut reader = Reader { classes: Classes::read(root), settings, links: Vec::new() };
+    let classes = Classes::read(root);
+    let hulls = hull::all(root, &classes)?;
+    let mut reader = Reader { classes, settings, hulls, links: Vec::new() };
     for world in root.all("worldbody") {
         reader.children(world, None, &mut Holder::default())?;
     }
@@ -37,6 +41,7 @@ pub(super) fn read(root: &mut Element, path: &Path) -> Result<Robot, Fault> {
 struct Reader {
     classes: Classes,
     settings: Settings,
+    hulls: Hulls,
     links: Vec<Link>,
 }
 
@@ -54,7 +59,7 @@ impl Reader {
             match child.name.as_str() {
                 "geom" => {
                     let given = self.classes.of("geom", child, class);
-                    holder.geoms.push(geom::read(child, &given, &self.settings, &holder.frame)?);
+                    holder.geoms.push(geom::read(child, &given, &self.settings, &holder.frame, &self.hulls)?);
                 }
                 "frame" => {
                     let outer = holder.frame;
@@ -98,23 +103,21 @@ impl Reader {
             link.notes.push("inertiafromgeom=\"true\": <inertial> is not read".to_owned());
         }
         link.meshes = holder.geoms.iter().filter(|geom| geom.mesh).count();
-        link.solids = holder.geoms.into_iter().filter_map(|geom| geom.solid).collect();
+        // The size of a hull is not kept, so that no outline speaks of such a body.
+        if holder.geoms.iter().all(|geom| geom.hull.is_none()) {
+            link.solids = holder.geoms.into_iter().filter_map(|geom| geom.solid).collect();
+        }
         self.links[place] = link;
         Ok(())
     }
 
     fn by_geoms(&self, geoms: &[Geom], link: &mut Link) {
         let counted = || geoms.iter().filter(|geom| self.settings.groups.contains(&geom.group));
-        if counted().any(|geom| geom.mesh && geom.mass != Some(0.0)) {
+        if counted().any(|geom| geom.mesh && geom.hull.is_none() && geom.mass != Some(0.0)) {
             link.notes.push("its mass comes from a mesh, which is not read".to_owned());
             return;
         }
-        let parts: Vec<(f64, &Solid)> = counted()
-            .filter_map(|geom| {
-                let solid = geom.solid.as_ref()?;
-                Some((geom.mass.unwrap_or(geom.density * solid.shape.volume()), solid))
-            })
-            .collect();
+        let parts: Vec<Part> = counted().filter_map(Geom::part).collect();
         let (mass, center, tensor) = compose(&parts);
         if mass > 0.0 {
             link.inertial = Some(Inertial::computed(mass, center, &tensor));
