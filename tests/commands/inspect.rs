@@ -231,14 +231,9 @@ fn a_scene_is_written_for_each_body_that_can_exist_and_is_read_again() {
     let options = ["--out", &*out.to_string_lossy(), "--format", "json"];
     let first = inspect(&robot, &options);
     assert_eq!(code(&first), 1, "{}", stderr(&first));
-    let names: Vec<String> = {
-        let entries = fs::read_dir(&out).expect("a folder");
-        let mut names: Vec<String> = entries
-            .map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned())
-            .collect();
-        names.sort();
-        names
-    };
+    let entries = fs::read_dir(&out).expect("a folder").map(|entry| entry.expect("an entry").file_name());
+    let mut names: Vec<String> = entries.map(|name| name.to_string_lossy().into_owned()).collect();
+    names.sort();
     assert_eq!(
         names,
         ["02-kilogram-square-millimetre-arm-repaired.toml", "02-kilogram-square-millimetre-base.toml"]
