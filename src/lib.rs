@@ -42,6 +42,8 @@ mod engine;
 pub mod campaign;
 mod assertion;
 #[cfg(feature = "cli")]
+mod inspect;
+#[cfg(feature = "cli")]
 mod log;
 #[cfg(feature = "cli")]
 mod self_test;
@@ -71,7 +73,7 @@ pub mod internals {
         };
     }
 
-    rooms!(arithmetic, engine, log, ode, report, rotation, self_test, study);
+    rooms!(arithmetic, engine, inspect, log, ode, report, rotation, self_test, study);
 
     pub mod campaign {
         pub use crate::campaign::cell::setting;

@@ -1,6 +1,7 @@
 //! Exit codes, and what they are given for.
 
 use crate::engine::{self, EngineError};
+use crate::inspect::InspectError;
 use crate::interrupt;
 use crate::log::JudgeError;
 use crate::record::RecordError;
@@ -52,6 +53,9 @@ pub enum Failure {
     /// A trajectory file.
     #[error(transparent)]
     Judge(#[from] JudgeError),
+    /// A robot description.
+    #[error(transparent)]
+    Inspect(#[from] InspectError),
     /// A scene that has no point form, asked for one.
     #[error("{0}")]
     Model(String),
@@ -67,6 +71,8 @@ impl Failure {
             Failure::Scene(SceneError::Unreadable { .. }) | Failure::Judge(JudgeError::Unreadable { .. }) => {
                 FILE
             }
+            Failure::Inspect(InspectError::Unreadable { .. }) => FILE,
+            Failure::Inspect(_) => BAD_INPUT,
             Failure::Judge(JudgeError::Content { .. }) => BAD_INPUT,
             Failure::Scene(_) | Failure::Record(RecordError::Format { .. }) | Failure::Model(_) => BAD_INPUT,
             Failure::Record(RecordError::File { .. } | RecordError::Foreign { .. })

@@ -7,6 +7,7 @@ mod compare;
 mod engine;
 mod exit;
 mod gate;
+mod inspect;
 mod judge;
 mod list;
 mod output;
@@ -93,6 +94,8 @@ enum Command {
     Stability(stability::Options),
     /// Judge a trajectory that another program wrote
     Judge(judge::Options),
+    /// Bodies of a URDF, MJCF or SDF file, or of a scene: can they exist, and what repairs them?
+    Inspect(inspect::Options),
     /// Solve a scene to many digits, with a bound of the error
     Reference(reference::Options),
     /// Plant defects: each must turn a gate red
@@ -147,6 +150,7 @@ fn dispatch(arguments: Arguments) -> Result<u8, Failure> {
         Command::Engine(options) => engine::engine(&options, everywhere.quiet),
         Command::Stability(options) => stability::stability(&options, everywhere.quiet),
         Command::Judge(options) => judge::judge(&options),
+        Command::Inspect(options) => inspect::inspect(&options),
         Command::Reference(options) => reference::reference(&options, everywhere.quiet),
         Command::SelfTest(options) => self_test::self_test(&options, everywhere.quiet),
         Command::List(options) => list::list(&options),

@@ -17,9 +17,8 @@ use crate::arithmetic::Real;
 use crate::rotation::{self, Rotation};
 pub use error::BodyError;
 use fewest::fewest_points;
-use moments::{
-    check_moments, principal_axes, shape_of_moments, shape_of_points, symmetric, thin_axis_outside,
-};
+pub(crate) use moments::principal_axes;
+use moments::{check_moments, shape_of_moments, shape_of_points, symmetric, thin_axis_outside};
 pub(crate) use precise::rotation_of;
 
 /// Above this ratio of moments, I Ω = L no longer determines the spin about the smallest one in f64.

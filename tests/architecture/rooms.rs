@@ -6,13 +6,14 @@ use std::fs;
 use crate::sources::{self, File};
 
 /// The rooms of the layout.
-const ROOMS: [&str; 18] = [
+const ROOMS: [&str; 19] = [
     "arithmetic",
     "campaign",
     "claim",
     "cli",
     "engine",
     "gates",
+    "inspect",
     "log",
     "measure",
     "model",
@@ -87,6 +88,7 @@ const EDGES: &[(&str, &[&str])] = &[
         ],
     ),
     ("assertion", &["campaign", "claim", "gates", "record", "scenes", "schemes", "simulate"]),
+    ("inspect", &["model", "rotation", "scenes"]),
     ("log", &["bounded", "model", "ode", "record", "reference", "rotation", "scenes"]),
     (
         "self_test",
@@ -114,6 +116,7 @@ const EDGES: &[(&str, &[&str])] = &[
             "claim",
             "engine",
             "gates",
+            "inspect",
             "interrupt",
             "log",
             "measure",

@@ -8,6 +8,7 @@ mod advise_and_sweep;
 mod campaigns;
 mod comparing;
 mod files;
+mod inspect;
 mod judge;
 mod lists;
 mod reference;

@@ -44,7 +44,8 @@ fn reversal(of_rounding: Option<f64>, solves: u64, open: f64) -> Made {
 fn world(to_the_bit: bool, of_rounding: Option<f64>, solves: u64) -> Made {
     let mut made = Made::new("free-asymmetric", &[Claim::Equivariant]);
     let (name, worst) = ("turned".to_owned(), of_rounding.map(|_| (Quantity::Position, 1e-15)));
-    made.evidence.other_worlds = vec![OtherWorld { name, to_the_bit, of_rounding, worst, steps: 25, solves }];
+    made.evidence.other_worlds =
+        vec![OtherWorld { name, to_the_bit, of_rounding, worst, steps: 25, solves, double_double: false }];
     made
 }
 

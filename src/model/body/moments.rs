@@ -51,7 +51,7 @@ pub(super) fn symmetric(inertia: &Matrix3<f64>) -> Result<Matrix3<f64>, BodyErro
 /// Principal moments and the rotation that takes principal axes to the axes of `inertia`.
 ///
 /// A diagonal inertia keeps its own axes, so that bodies given by principal moments stay exact.
-pub(super) fn principal_axes(inertia: &Matrix3<f64>) -> (Vector3<f64>, Rotation) {
+pub(crate) fn principal_axes(inertia: &Matrix3<f64>) -> (Vector3<f64>, Rotation) {
     let scale = inertia.amax();
     let off_diagonal = inertia[(0, 1)].abs().max(inertia[(0, 2)].abs()).max(inertia[(1, 2)].abs());
     if scale == 0.0 || !scale.is_finite() || off_diagonal == 0.0 {

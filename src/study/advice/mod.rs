@@ -22,6 +22,8 @@ use search::{Search, Unmet};
 pub const SAMPLES: usize = 16;
 /// Time that each scheme is timed for [s].
 const SECONDS_A_COST: f64 = 0.05;
+/// Most steps that [`Question::at_step`] runs: a second of time for the cheapest schemes.
+const MOST_STEPS: f64 = 1e6;
 /// Durations that a run must hold out to be called stable …
 const LONG: u64 = 4;
 /// … and how many times the kinetic energy of a run at half the step it may reach on the way.
@@ -181,10 +183,31 @@ impl Question {
             return Err(Unmet::Refused(reason.into_owned()));
         }
         let steps = Search::new(self, contestant).largest_step()?;
+        Ok(self.in_steps(contestant, steps))
+    }
+
+    /// What a scheme does at a step near `step` [s], whether or not it meets the tolerance: the duration in a multiple of
+    /// [`SAMPLES`] steps, the next larger one.
+    ///
+    /// # Errors
+    /// [`Unmet::Refused`].
+    pub fn at_step(&self, contestant: &Contestant, step: f64) -> Result<Advice, Unmet> {
+        if let Some(reason) = contestant.refusal(&self.system) {
+            return Err(Unmet::Refused(reason.into_owned()));
+        }
+        let samples = SAMPLES as f64;
+        let steps = (self.duration / step / samples).ceil() * samples;
+        if !(steps >= samples && steps <= MOST_STEPS) {
+            return Err(Unmet::Refused(format!("{steps:.1e} steps of {step:e} s are not run here")));
+        }
+        Ok(self.in_steps(contestant, steps as u64))
+    }
+
+    fn in_steps(&self, contestant: &Contestant, steps: u64) -> Advice {
         let plan = Plan::over(self.duration, steps, SAMPLES as u64);
         let run = contestant.run(&self.system, Form::Least, &plan);
         let spins = self.reference.states.iter().map(|s| rotation::length(&s.angular_velocity));
-        Ok(Advice {
+        Advice {
             step: plan.step,
             steps,
             error: self.error(&run.states),
@@ -194,7 +217,7 @@ impl Question {
             energy: self.energy_error(&run.states),
             stable: self.is_stable(contestant, &plan),
             own_steps: contestant.chooses_steps(),
-        })
+        }
     }
 
     /// Energy of the last state against the reference's, over the largest kinetic energy of the motion.

@@ -1,0 +1,217 @@
+//! The elements of an XML file: read by roxmltree, bounded in size, number and depth, and kept with their lines.
+//!
+//! A document type is refused: entities, and with them XML bombs, need one.
+
+use std::io::Read;
+use std::path::Path;
+
+use roxmltree::{Document, Error, Node, ParsingOptions};
+
+use super::InspectError;
+use super::printed::Printed;
+
+/// Largest file that is read [bytes].
+pub(super) const LARGEST_FILE: u64 = 64 << 20;
+/// Most nodes of a file: a node takes some hundred bytes, so the tree stays below a gigabyte.
+const MOST_NODES: u32 = 4_000_000;
+/// Deepest nesting: robots on record stay below 60 (humanoid_CMU: 21); readers descend recursively.
+pub(super) const DEEPEST: usize = 256;
+
+/// One element.
+#[derive(Clone, Debug)]
+pub(super) struct Element {
+    /// Name without its namespace.
+    pub name: String,
+    /// Line, from 1.
+    pub line: usize,
+    attributes: Vec<(String, String)>,
+    text: String,
+    pub children: Vec<Element>,
+}
+
+/// Reads a whole file, within the bound.
+pub(super) fn read(path: &Path) -> Result<String, InspectError> {
+    let file = path.display().to_string();
+    let unreadable = |source| InspectError::Unreadable { file: file.clone(), source };
+    let mut bytes = Vec::new();
+    std::fs::File::open(path)
+        .and_then(|opened| opened.take(LARGEST_FILE + 1).read_to_end(&mut bytes))
+        .map_err(unreadable)?;
+    let refuse = |line, why: String| InspectError::Content { file: file.clone(), line, why };
+    if bytes.len() as u64 > LARGEST_FILE {
+        let mib = LARGEST_FILE >> 20;
+        return Err(refuse(1, format!("the file is larger than {mib} MiB, the most that is read")));
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let valid = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+        let line = 1 + valid.iter().filter(|byte| **byte == b'\n').count();
+        refuse(line, "this is not text in UTF-8: save the file as UTF-8".to_owned())
+    })
+}
+
+/// Reads XML; `file` is its name in error messages.
+pub(super) fn parse(text: &str, file: &str) -> Result<Element, InspectError> {
+    let options = ParsingOptions { nodes_limit: MOST_NODES, ..ParsingOptions::default() };
+    let refuse = |line, why| InspectError::Content { file: file.to_owned(), line, why };
+    let document = Document::parse_with_options(text, options).map_err(|error| {
+        let line = usize::try_from(error.pos().row).unwrap_or(1);
+        refuse(line, in_words(&error))
+    })?;
+    let starts: Vec<usize> =
+        std::iter::once(0).chain(text.match_indices('\n').map(|(place, _)| place + 1)).collect();
+    let line_of = |node: Node| starts.partition_point(|start| *start <= node.range().start);
+    let root = document.root_element();
+    if let Some(deep) = too_deep(root) {
+        return Err(refuse(
+            line_of(deep),
+            format!("elements are nested deeper than {DEEPEST} levels, the most that is read"),
+        ));
+    }
+    Ok(Element::of(root, &line_of))
+}
+
+fn in_words(error: &Error) -> String {
+    match error {
+        Error::DtdDetected => {
+            "a document type (<!DOCTYPE) is not read, since its entities can grow without bound: remove it \
+                               and write out what its entities stand for"
+                .to_owned()
+        }
+        Error::NodesLimitReached => {
+            format!("the file has more than {MOST_NODES} nodes, the most that is read")
+        }
+        other => format!("not XML: {other}"),
+    }
+}
+
+/// The first element below the deepest level, found without recursion.
+fn too_deep<'a, 'i>(root: Node<'a, 'i>) -> Option<Node<'a, 'i>> {
+    let (mut node, mut depth) = (root, 1);
+    loop {
+        if depth > DEEPEST {
+            return Some(node);
+        }
+        if let Some(child) = node.first_element_child() {
+            node = child;
+            depth += 1;
+            continue;
+        }
+        while node.next_sibling_element().is_none() {
+            node = node.parent_element()?;
+            depth -= 1;
+            if depth == 0 {
+                return None;
+            }
+        }
+        node = node.next_sibling_element()?;
+    }
+}
+
+impl Element {
+    fn of(node: Node, line_of: &impl Fn(Node) -> usize) -> Element {
+        Element {
+            name: node.tag_name().name().to_owned(),
+            line: line_of(node),
+            attributes: node
+                .attributes()
+                .map(|given| (given.name().to_owned(), given.value().trim().to_owned()))
+                .collect(),
+            text: node.text().unwrap_or_default().trim().to_owned(),
+            children: node
+                .children()
+                .filter(Node::is_element)
+                .map(|child| Element::of(child, line_of))
+                .collect(),
+        }
+    }
+
+    /// The value of an attribute.
+    pub fn attribute(&self, name: &str) -> Option<&str> {
+        self.attributes.iter().find(|(own, _)| own == name).map(|(_, value)| value.as_str())
+    }
+
+    /// Every attribute.
+    pub fn attributes(&self) -> impl Iterator<Item = (&str, &str)> {
+        self.attributes.iter().map(|(name, value)| (name.as_str(), value.as_str()))
+    }
+
+    /// The text directly inside, without the blanks around it.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Children of a name.
+    pub fn all<'e>(&'e self, name: &'e str) -> impl Iterator<Item = &'e Element> {
+        self.children.iter().filter(move |child| child.name == name)
+    }
+
+    /// The first child of a name.
+    pub fn child(&self, name: &str) -> Option<&Element> {
+        self.children.iter().find(|child| child.name == name)
+    }
+}
+
+/// A fault of an element, before the name of the file is known.
+#[derive(Debug)]
+pub(super) struct Fault {
+    /// Line, from 1.
+    pub line: usize,
+    /// What is wrong, and what to write instead.
+    pub why: String,
+}
+
+impl Fault {
+    /// A fault of an element.
+    pub fn at(element: &Element, why: impl std::fmt::Display) -> Fault {
+        Fault { line: element.line, why: format!("<{}>: {why}", element.name) }
+    }
+
+    /// With the name of the file.
+    pub fn of(self, file: &str) -> InspectError {
+        InspectError::Content { file: file.to_owned(), line: self.line, why: self.why }
+    }
+}
+
+/// The numbers of a text, as many as there are.
+pub(super) fn printed(element: &Element, text: &str) -> Result<Vec<Printed>, Fault> {
+    text.split_whitespace()
+        .map(|word| Printed::parse(word).ok_or_else(|| Fault::at(element, not_a_number(word))))
+        .collect()
+}
+
+fn not_a_number(word: &str) -> String {
+    if word.contains("${") || word.contains("$(") {
+        let shown: String = word.chars().take(40).collect();
+        return format!(
+            "'{shown}' is an expression of xacro: run `xacro FILE > robot.urdf` and inspect that"
+        );
+    }
+    let shown: String = word.chars().take(40).collect();
+    format!("'{shown}' is not a number: write one as in 0.35 or 3.5e-1")
+}
+
+/// `N` numbers of a text.
+pub(super) fn numbers<const N: usize>(element: &Element, text: &str) -> Result<[f64; N], Fault> {
+    let found = printed(element, text)?;
+    let count = found.len();
+    let values: Vec<f64> = found.into_iter().map(|number| number.value).collect();
+    <[f64; N]>::try_from(values).map_err(|_| Fault::at(element, format!("{count} numbers, expected {N}")))
+}
+
+/// `N` finite numbers of a text.
+pub(super) fn finite<const N: usize>(element: &Element, text: &str) -> Result<[f64; N], Fault> {
+    let values = numbers(element, text)?;
+    match values.iter().find(|value| !value.is_finite()) {
+        Some(odd) => Err(Fault::at(element, format!("{odd} stands where a finite number is needed"))),
+        None => Ok(values),
+    }
+}
+
+/// One number of a text.
+pub(super) fn number(element: &Element, text: &str) -> Result<Printed, Fault> {
+    let mut found = printed(element, text)?;
+    match (found.len(), found.pop()) {
+        (1, Some(number)) => Ok(number),
+        (count, _) => Err(Fault::at(element, format!("{count} numbers, expected one"))),
+    }
+}
