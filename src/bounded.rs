@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-/// Most bytes of a scene file, a mesh of 3e5 mass points.
+/// Most bytes of a scene file, a mesh of 3e5 mass points, and of a robot description.
 pub const MOST_OF_A_SCENE: u64 = 64 << 20;
 /// Most bytes of a trajectory file, 4e6 rows of fourteen columns.
 #[cfg(feature = "cli")]

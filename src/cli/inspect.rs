@@ -67,7 +67,7 @@ pub(super) fn inspect(options: &Options) -> Result<u8, Failure> {
     })
 }
 
-/// Writes the scenes; a file that is there and differs is somebody's, and is kept.
+/// Writes the scenes; a file that is there and differs is kept.
 fn write(folder: &Path, scenes: &[Written]) -> Result<(), Failure> {
     let failed = |path: &Path, source| Failure::Write { name: path.display().to_string(), source };
     std::fs::create_dir_all(folder).map_err(|source| failed(folder, source))?;

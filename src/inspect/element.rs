@@ -2,16 +2,14 @@
 //!
 //! A document type is refused: entities, and with them XML bombs, need one.
 
-use std::io::Read;
 use std::path::Path;
 
 use roxmltree::{Document, Error, Node, ParsingOptions};
 
 use super::InspectError;
 use super::printed::Printed;
+use crate::bounded::{self, MOST_OF_A_SCENE, Unread};
 
-/// Largest file that is read [bytes].
-pub(super) const LARGEST_FILE: u64 = 64 << 20;
 /// Most nodes of a file: a node takes some hundred bytes, so the tree stays below a gigabyte.
 const MOST_NODES: u32 = 4_000_000;
 /// Deepest nesting: robots on record stay below 60 (humanoid_CMU: 21); readers descend recursively.
@@ -32,16 +30,11 @@ pub(super) struct Element {
 /// Reads a whole file, within the bound.
 pub(super) fn read(path: &Path) -> Result<String, InspectError> {
     let file = path.display().to_string();
-    let unreadable = |source| InspectError::Unreadable { file: file.clone(), source };
-    let mut bytes = Vec::new();
-    std::fs::File::open(path)
-        .and_then(|opened| opened.take(LARGEST_FILE + 1).read_to_end(&mut bytes))
-        .map_err(unreadable)?;
     let refuse = |line, why: String| InspectError::Content { file: file.clone(), line, why };
-    if bytes.len() as u64 > LARGEST_FILE {
-        let mib = LARGEST_FILE >> 20;
-        return Err(refuse(1, format!("the file is larger than {mib} MiB, the most that is read")));
-    }
+    let bytes = bounded::read(path, MOST_OF_A_SCENE).map_err(|unread| match unread {
+        Unread::System(source) => InspectError::Unreadable { file: file.clone(), source },
+        Unread::Content(why) => refuse(1, why),
+    })?;
     String::from_utf8(bytes).map_err(|error| {
         let valid = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         let line = 1 + valid.iter().filter(|byte| **byte == b'\n').count();

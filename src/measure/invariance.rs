@@ -149,9 +149,17 @@ impl Compared<'_> {
 
     /// The same body described in other ways, on the least model and on the points.
     fn told<T: Real>(&self, system: &System<T>) -> Vec<World<T>> {
+        let is_of_points = system.body.is_of_its_points();
         let told = |name, told: Option<System<T>>, form| {
             let (change, step) = (Change::none(), self.step);
-            told.map(|system| World { name, change, system, form, step, to_the_bit: false })
+            told.filter(|_| is_of_points).map(|system| World {
+                name,
+                change,
+                system,
+                form,
+                step,
+                to_the_bit: false,
+            })
         };
         [
             told("permuted", retold::permuted(system), Form::Least),

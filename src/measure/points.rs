@@ -30,8 +30,7 @@ pub fn point_run(contestant: &Contestant, system: &System, duration: f64, fastes
     let step = steepest.min(duration / STEPS as f64);
     let precise = || {
         let plan = Plan { step, steps: PRECISE_STEPS, every: PRECISE_STEPS / 16 };
-        // An inertia may be one of so few points in f64 only.
-        let own = System::<DoubleDouble>::of(system).ok().filter(|own| !own.body.points.is_empty())?;
+        let own = System::<DoubleDouble>::of(system).ok().filter(|own| own.body.is_of_its_points())?;
         Some(both(contestant, system, &own, &plan))
     };
     let precise = if contestant.runs_in_double_double() { precise() } else { None };

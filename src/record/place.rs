@@ -44,7 +44,7 @@ pub(super) fn folder(path: &Path) -> &Path {
 /// that this command writes, or `force` is given. Nothing is left behind.
 ///
 /// # Errors
-/// The folder does not exist or takes no file, the name is that of a folder, or a file of somebody else's is there.
+/// The folder does not exist or takes no file, the name is that of a folder, or a file of another origin is there.
 pub(crate) fn try_place(path: &Path, force: bool, own: impl Fn(&str) -> bool) -> Result<(), RecordError> {
     let fail = |source| RecordError::File { path: path.into(), source };
     match way(path) {
@@ -92,7 +92,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_file_of_somebody_elses_is_kept_and_one_of_this_program_is_not_in_the_way() {
+    fn a_file_of_another_origin_is_kept_and_one_of_this_program_is_not_in_the_way() {
         let folder = tempfile::tempdir().expect("a folder");
         let place = |name: &str, text: &str, force: bool| {
             let path = folder.path().join(name);

@@ -88,7 +88,7 @@ const EDGES: &[(&str, &[&str])] = &[
         ],
     ),
     ("assertion", &["campaign", "claim", "gates", "record", "scenes", "schemes", "simulate"]),
-    ("inspect", &["model", "rotation", "scenes"]),
+    ("inspect", &["bounded", "model", "rotation", "scenes"]),
     ("log", &["bounded", "model", "ode", "record", "reference", "rotation", "scenes"]),
     (
         "self_test",

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::common::program::{code, json, polhode, scratch, stderr};
+use crate::common::program::{code, json, polhode, scratch, stderr, stdout};
 
 #[test]
 fn advice_is_a_step_that_divides_the_duration_and_whose_run_meets_the_tolerance() {
@@ -78,7 +78,13 @@ fn advice_begins_with_a_sentence_and_shows_the_cheapest_in_plain_numbers() {
     assert!(table.contains(" more: --top "), "{table}");
     assert_eq!(rows.len(), 10, "{stable}");
     // Names stand whole, to be copied.
-    assert!(rows.iter().any(|row| row.contains(" peskin-rk2 ")), "{stable}");
+    let all = polhode(&["list", "schemes"]);
+    let known = stdout(&all);
+    let is_whole = |row: &&str| {
+        let name = row.trim_matches('│').split_whitespace().nth(1).expect("a name").trim_end_matches('*');
+        known.lines().any(|line| line.split(' ').next() == Some(name))
+    };
+    assert!(rows.iter().all(is_whole), "{stable}");
     assert!(table.lines().all(|line| line.chars().count() <= 130), "{table}");
     // The step of the sentence is a plain number.
     let step =

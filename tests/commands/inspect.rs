@@ -249,7 +249,7 @@ fn a_scene_is_written_for_each_body_that_can_exist_and_is_read_again() {
     );
     let run = polhode(&["run", &repaired.to_string_lossy(), "--scheme", "peskin-rk2", "--steps", "10"]);
     assert_eq!(code(&run), 0, "{}", stderr(&run));
-    // The same once more changes nothing; a file of somebody else is kept.
+    // The same once more changes nothing; a file of another origin is kept.
     assert_eq!(code(&inspect(&robot, &options)), 1);
     fs::write(&repaired, "mine").expect("written");
     assert_eq!(code(&inspect(&robot, &options)), 74);

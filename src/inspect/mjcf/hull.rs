@@ -94,9 +94,12 @@ fn triangles(vertices: &[Vector3<f64>], flat: f64) -> Vec<[Vector3<f64>; 3]> {
             for c in vertices.iter().skip(j + 1) {
                 let Some(normal) = (b - a).cross(&(c - a)).try_normalize(flat * flat) else { continue };
                 for normal in [normal, -normal] {
-                    if let Some(facet) = facet(vertices, a, &normal, flat)
-                        && met.insert(facet.clone())
-                    {
+                    let Some(facet) = facet(vertices, a, &normal, flat) else { continue };
+                    // All vertices in one plane have no volume.
+                    if facet.len() == vertices.len() {
+                        return Vec::new();
+                    }
+                    if met.insert(facet.clone()) {
                         found.extend(fan(vertices, facet, &normal));
                     }
                 }

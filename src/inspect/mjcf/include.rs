@@ -3,7 +3,8 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use crate::inspect::element::{self, DEEPEST, Element, Fault, LARGEST_FILE};
+use crate::bounded::MOST_OF_A_SCENE;
+use crate::inspect::element::{self, DEEPEST, Element, Fault};
 
 struct Includes<'p> {
     folder: &'p Path,
@@ -62,10 +63,10 @@ impl Includes<'_> {
         }
         let text = element::read(&path).map_err(|error| Fault::at(include, error))?;
         self.bytes += text.len() as u64;
-        if self.bytes > LARGEST_FILE {
+        if self.bytes > MOST_OF_A_SCENE {
             return Err(Fault::at(
                 include,
-                format!("included files are larger than {} MiB together", LARGEST_FILE >> 20),
+                format!("included files are larger than {} MiB together", MOST_OF_A_SCENE >> 20),
             ));
         }
         let mut root = element::parse(&text, name).map_err(|error| Fault::at(include, error))?;

@@ -30,6 +30,12 @@ impl<T: Real> Body<T> {
         Body { mass, points, center, inertia, moments, ..*self }
     }
 
+    /// Whether the inertia is that of the points to rounding. An inertia may be one of so few points in f64 only.
+    pub(crate) fn is_of_its_points(&self) -> bool {
+        !self.points.is_empty()
+            && (inertia_of(&self.points) - self.inertia).amax() <= self.inertia.amax() * (SUMS * T::UNIT)
+    }
+
     /// The body of the fewest points with this mass, centre and inertia.
     pub(crate) fn made_of_fewest(&self) -> Body<T> {
         let about_center = self.inertia - second_moment_inertia(&self.center) * self.mass;
@@ -68,13 +74,11 @@ fn center_of<T: Real>(points: &[MassPoint<T>], mass: T) -> Vector3<T> {
     points.iter().map(|p| p.position * p.mass).sum::<Vector3<T>>() / mass
 }
 
-/// As many points of this mass and inertia as the f64 body has; none where the inertia is one of so many points in f64 only.
+/// As many points of this mass and inertia as the f64 body has; none where rounding asks for another number.
 fn made_for<T: Real>(mass: T, inertia: &Matrix3<T>, center: &Vector3<T>, body: &Body) -> Vec<MassPoint<T>> {
     let about_center = inertia - second_moment_inertia(center) * mass;
     let points = fewest(mass, &about_center, center);
-    let off = (inertia_of(&points) - inertia).amax();
-    let same = points.len() == body.points.len() && off <= inertia.amax() * (SUMS * T::UNIT);
-    if same { points } else { Vec::new() }
+    if points.len() == body.points.len() { points } else { Vec::new() }
 }
 
 /// The fewest points with this mass, centre and inertia about the centre, about the origin.
