@@ -105,12 +105,12 @@ fn in_words(scene: &Scene, question: &Question, answers: &Answers, top: usize) -
         .collect();
     let mut text = match found.iter().find(|(_, advice)| advice.stable) {
         Some((scheme, advice)) => format!(
-            "Take {scheme} in {} with a step of {} s in {}: {quantity} is off by at most {} {unit} over {} s, asked for {}.\n\n",
-            question.precision.name(),
+            "Take {scheme} with a step of {} s, in {}.\nOver {} s of {} {quantity} is off by at most {} {unit}, asked for {}.\n\n",
             plain(advice.step),
+            question.precision.name(),
+            question.duration,
             scene.name,
             short(advice.error),
-            question.duration,
             plain(question.tolerance)
         ),
         None => format!(

@@ -65,7 +65,7 @@ fn advice_begins_with_a_sentence_and_shows_the_cheapest_in_plain_numbers() {
     let text = advise(&[]);
     let first = text.lines().next().expect("a line");
     assert!(
-        first.starts_with("Take ") && first.contains(" with a step of ") && first.contains("asked for 0.01"),
+        first.starts_with("Take ") && first.contains(" with a step of ") && text.contains("asked for 0.01."),
         "{first}"
     );
     let table = text.split("Without an answer").next().expect("a table");
@@ -84,7 +84,8 @@ fn advice_begins_with_a_sentence_and_shows_the_cheapest_in_plain_numbers() {
         let name = row.trim_matches('│').split_whitespace().nth(1).expect("a name").trim_end_matches('*');
         known.lines().any(|line| line.split(' ').next() == Some(name))
     };
-    assert!(rows.iter().all(is_whole), "{stable}");
+    let cut: Vec<_> = rows.iter().filter(|row| !is_whole(row)).collect();
+    assert!(cut.is_empty(), "{cut:?}");
     assert!(table.lines().all(|line| line.chars().count() <= 130), "{table}");
     // The step of the sentence is a plain number.
     let step =
