@@ -12,7 +12,7 @@ use nalgebra::Vector3;
 
 use super::copies;
 use super::reversal::worst;
-use super::{Rung, steady_rung};
+use super::{BELOW, CLEAR, Rung, steady_rung};
 use crate::arithmetic::{DoubleDouble, Real};
 use crate::model::{Change, PerQuantity, Quantity, Snapshot, System, difference, retold, sizes};
 use crate::record::OtherWorld;
@@ -53,7 +53,7 @@ pub fn other_worlds(contestant: &Contestant, system: &System, rungs: &[Rung]) ->
         steps: rung.steps.min(most),
         solves: rung.outcome.solves as f64 / rung.steps as f64,
     };
-    if precise { compared.rows::<DoubleDouble>() } else { compared.rows::<f64>() }
+    if precise && !compared.is_lost() { compared.rows::<DoubleDouble>() } else { compared.rows::<f64>() }
 }
 
 /// A run that is made in every world.
@@ -121,6 +121,14 @@ impl Compared<'_> {
         let plan = Plan { step, steps: self.steps, every: self.steps };
         let outcome = self.contestant.stream_in(system, form, &plan, &mut |state| end = Some(*state));
         if outcome.broken.is_none() { end } else { None }
+    }
+
+    /// Whether roundings of f64 grow to the size of the motion: how far those of a finer arithmetic grow is not known then.
+    fn is_lost(&self) -> bool {
+        let plan = Plan { step: self.step, steps: self.steps, every: 1 };
+        let sizes = sizes(self.system, &self.contestant.run(self.system, Form::Least, &plan).states);
+        let rounding = self.rounding(Form::Least);
+        Quantity::ALL.into_iter().any(|quantity| CLEAR * rounding[quantity] > BELOW * sizes[quantity])
     }
 
     /// What rounding does to the run in f64.

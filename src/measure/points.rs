@@ -4,8 +4,6 @@
 //! A scheme of the list runs in double-double, a program in f64. How a rounding grows is seen in copies in f64; its unit is that of the
 //! arithmetic.
 
-use nalgebra::Vector3;
-
 use super::copies;
 use crate::arithmetic::{DoubleDouble, Real};
 use crate::model::forces::Law;
@@ -67,8 +65,7 @@ fn both<T: Arithmetic>(contestant: &Contestant, system: &System, own: &System<T>
     // Half a unit for each of K − 1 sums, of the K + 1 operations that the centre of mass is known by, and of seven in a term.
     let units = system.body.points.len() as f64 + 4.0;
     let duration = plan.step * plan.steps as f64;
-    let torque = gravity(system) * (units * T::UNIT * moment_of_mass(system) + off_center(own));
-    let torque_rounding = torque * duration / momentum;
+    let torque_rounding = units * T::UNIT * gravity(system) * moment_of_mass(system) * duration / momentum;
     PointRun {
         step: plan.step,
         steps: plan.steps,
@@ -95,14 +92,6 @@ fn gravity(system: &System) -> f64 {
 /// Σ M_k |X̃_k| [kg m]: the size of what cancels in a torque of gravity.
 fn moment_of_mass(system: &System) -> f64 {
     system.body.points.iter().map(|p| p.mass * rotation::length(&p.position)).sum()
-}
-
-/// |Σ M_k X̃_k| [kg m] of a free body: the least model takes its origin for the centre of mass, which f64 places are to their rounding.
-fn off_center<T: Arithmetic>(system: &System<T>) -> f64 {
-    if system.body.pivoted {
-        return 0.0;
-    }
-    rotation::length(&system.body.points.iter().map(|p| p.position * p.mass).sum::<Vector3<T>>()).to_f64()
 }
 
 /// What each quantity is compared with: its largest value over the run, or the body's own size.

@@ -46,7 +46,7 @@ impl<T: Real> Body<T> {
 
     /// The same body in this arithmetic.
     pub(crate) fn of(body: &Body) -> Body<T> {
-        let given: Vec<MassPoint<T>> = body
+        let mut given: Vec<MassPoint<T>> = body
             .points
             .iter()
             .map(|p| MassPoint { mass: T::of(p.mass), position: p.position.map(T::of) })
@@ -54,6 +54,11 @@ impl<T: Real> Body<T> {
         let by_points = !body.points.is_empty() && inertia_of(&body.points) == body.inertia;
         let mass = if by_points { given.iter().map(|p| p.mass).sum() } else { T::of(body.mass) };
         let center = if body.pivoted && by_points { center_of(&given, mass) } else { body.center.map(T::of) };
+        if by_points && !body.pivoted {
+            // The places are about the centre of mass, to f64's rounding of them.
+            let off = center_of(&given, mass);
+            given.iter_mut().for_each(|point| point.position -= off);
+        }
         let inertia = if by_points { inertia_of(&given) } else { body.inertia.map(T::of) };
         let points =
             if by_points || given.is_empty() { given } else { made_for(mass, &inertia, &center, body) };
