@@ -1,8 +1,9 @@
 //! A body in another arithmetic.
 //!
-//! The f64 numbers of a body are taken as exact: of one given by mass points their masses and places, of which mass, centre and inertia are
-//! summed anew; of one given by its inertia that, for which the fewest points are made anew. The principal axes are those of the f64 body,
-//! moved by as much as f64 rounds them: schemes that go by the axes go by the same ones in every arithmetic.
+//! The f64 numbers of a body are taken as exact. A body given by mass points has them, moved by as much as f64 rounds their places: to the
+//! centre of mass, and those of a rod to a line. Mass, centre and inertia are summed anew. For a body given by its inertia the fewest points
+//! are made anew. The principal axes are those of the f64 body, moved by as much as f64 rounds them: schemes that go by the axes go by the
+//! same ones in every arithmetic.
 
 use nalgebra::{Matrix3, Quaternion, Vector3};
 
@@ -58,6 +59,11 @@ impl<T: Real> Body<T> {
             // The places are about the centre of mass, to f64's rounding of them.
             let off = center_of(&given, mass);
             given.iter_mut().for_each(|point| point.position -= off);
+        }
+        if let (true, Shape::Rod { direction }) = (by_points, body.shape) {
+            // They lie on a line through the origin, to that rounding.
+            let line = along(&given, &direction);
+            given.iter_mut().for_each(|point| point.position = line * line.dot(&point.position));
         }
         let inertia = if by_points { inertia_of(&given) } else { body.inertia.map(T::of) };
         let points =
