@@ -22,7 +22,7 @@ use crate::simulate::{Arithmetic, Contestant, Form, Plan};
 /// Most steps of a run in f64 …
 const STEPS: u64 = 256;
 /// … and in double-double.
-const PRECISE_STEPS: u64 = 64;
+const PRECISE_STEPS: u64 = 16;
 
 /// How the turned world is turned.
 const TURN: Vector3<f64> = Vector3::new(0.9, -1.3, 0.4);
