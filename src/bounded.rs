@@ -17,18 +17,59 @@ const FIRST: u64 = 1 << 16;
 
 /// Why a file was not read.
 #[derive(Debug)]
-pub enum Unread {
+enum Unread {
     /// What the system said.
     System(io::Error),
     /// It cannot be such a file: why.
     Content(String),
 }
 
+/// An input file that cannot be used.
+#[derive(Debug, thiserror::Error)]
+pub enum FileError {
+    /// The file cannot be read.
+    #[error("{file}: {source}")]
+    Unreadable {
+        /// The file.
+        file: String,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// The file says something that such a file cannot mean.
+    #[error("{file}:{line}: {why}")]
+    Content {
+        /// The file.
+        file: String,
+        /// Line, from 1.
+        line: usize,
+        /// What is wrong, and what to write instead.
+        why: String,
+    },
+}
+
+/// The text of a file.
+///
+/// # Errors
+/// [`FileError`]: as [`read`] has them, or bytes that are not UTF-8.
+pub fn text(path: &Path, most: u64) -> Result<String, FileError> {
+    let file = path.display().to_string();
+    let bytes = read(path, most).map_err(|unread| match unread {
+        Unread::System(source) => FileError::Unreadable { file: file.clone(), source },
+        Unread::Content(why) => FileError::Content { file: file.clone(), line: 1, why },
+    })?;
+    String::from_utf8(bytes).map_err(|error| {
+        let valid = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+        let line = 1 + valid.iter().filter(|byte| **byte == b'\n').count();
+        let why = "this is not text in UTF-8: save the file as UTF-8".to_owned();
+        FileError::Content { file, line, why }
+    })
+}
+
 /// The bytes of a text file.
 ///
 /// # Errors
 /// [`Unread`]: it cannot be read, holds more than `most` bytes, or holds a zero byte in its first 64 KiB, which no text does.
-pub fn read(path: &Path, most: u64) -> Result<Vec<u8>, Unread> {
+fn read(path: &Path, most: u64) -> Result<Vec<u8>, Unread> {
     let mut file = File::open(path).map_err(Unread::System)?;
     let mut bytes = Vec::new();
     file.by_ref().take(FIRST.min(most)).read_to_end(&mut bytes).map_err(Unread::System)?;
@@ -57,5 +98,7 @@ mod tests {
         std::fs::write(&path, "12\u{0}45678").expect("written");
         assert!(matches!(read(&path, 8), Err(Unread::Content(why)) if why.contains("zero")));
         assert!(matches!(read(&folder.path().join("none"), 8), Err(Unread::System(_))));
+        std::fs::write(&path, b"1\n2\n\xff").expect("written");
+        assert!(matches!(text(&path, 8), Err(FileError::Content { line: 3, .. })));
     }
 }

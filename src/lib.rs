@@ -87,6 +87,9 @@ pub mod internals {
     }
 
     pub mod schemes {
+        pub mod dormand_prince_8 {
+            pub use crate::schemes::dormand_prince_8::*;
+        }
         pub mod taylor {
             pub use crate::schemes::taylor::*;
         }

@@ -1,9 +1,9 @@
 //! Exit codes, and what they are given for.
 
+use crate::bounded::FileError;
 use crate::engine::{self, EngineError};
 use crate::inspect::InspectError;
 use crate::interrupt;
-use crate::log::JudgeError;
 use crate::record::RecordError;
 use crate::report::ReportError;
 use crate::scenes::SceneError;
@@ -52,7 +52,7 @@ pub enum Failure {
     Engine(#[from] EngineError),
     /// A trajectory file.
     #[error(transparent)]
-    Judge(#[from] JudgeError),
+    Judge(#[from] FileError),
     /// A robot description.
     #[error(transparent)]
     Inspect(#[from] InspectError),
@@ -68,12 +68,10 @@ impl Failure {
             Failure::ReaderGone => 0,
             Failure::Engine(_) => ENGINE,
             Failure::Usage(_) | Failure::Scene(SceneError::Unknown { .. }) => USAGE,
-            Failure::Scene(SceneError::Unreadable { .. }) | Failure::Judge(JudgeError::Unreadable { .. }) => {
-                FILE
-            }
-            Failure::Inspect(InspectError::Unreadable { .. }) => FILE,
-            Failure::Inspect(_) => BAD_INPUT,
-            Failure::Judge(JudgeError::Content { .. }) => BAD_INPUT,
+            Failure::Scene(SceneError::Unreadable { .. })
+            | Failure::Judge(FileError::Unreadable { .. })
+            | Failure::Inspect(InspectError::File(FileError::Unreadable { .. })) => FILE,
+            Failure::Inspect(_) | Failure::Judge(FileError::Content { .. }) => BAD_INPUT,
             Failure::Scene(_) | Failure::Record(RecordError::Format { .. }) | Failure::Model(_) => BAD_INPUT,
             Failure::Record(RecordError::File { .. } | RecordError::Foreign { .. })
             | Failure::Report(_)

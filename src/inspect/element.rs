@@ -2,13 +2,10 @@
 //!
 //! A document type is refused: entities, and with them XML bombs, need one.
 
-use std::path::Path;
-
 use roxmltree::{Document, Error, Node, ParsingOptions};
 
-use super::InspectError;
 use super::printed::Printed;
-use crate::bounded::{self, MOST_OF_A_SCENE, Unread};
+use crate::bounded::FileError;
 
 /// Most nodes of a file: a node takes some hundred bytes, so the tree stays below a gigabyte.
 const MOST_NODES: u32 = 4_000_000;
@@ -27,25 +24,10 @@ pub(super) struct Element {
     pub children: Vec<Element>,
 }
 
-/// Reads a whole file, within the bound.
-pub(super) fn read(path: &Path) -> Result<String, InspectError> {
-    let file = path.display().to_string();
-    let refuse = |line, why: String| InspectError::Content { file: file.clone(), line, why };
-    let bytes = bounded::read(path, MOST_OF_A_SCENE).map_err(|unread| match unread {
-        Unread::System(source) => InspectError::Unreadable { file: file.clone(), source },
-        Unread::Content(why) => refuse(1, why),
-    })?;
-    String::from_utf8(bytes).map_err(|error| {
-        let valid = &error.as_bytes()[..error.utf8_error().valid_up_to()];
-        let line = 1 + valid.iter().filter(|byte| **byte == b'\n').count();
-        refuse(line, "this is not text in UTF-8: save the file as UTF-8".to_owned())
-    })
-}
-
 /// Reads XML; `file` is its name in error messages.
-pub(super) fn parse(text: &str, file: &str) -> Result<Element, InspectError> {
+pub(super) fn parse(text: &str, file: &str) -> Result<Element, FileError> {
     let options = ParsingOptions { nodes_limit: MOST_NODES, ..ParsingOptions::default() };
-    let refuse = |line, why| InspectError::Content { file: file.to_owned(), line, why };
+    let refuse = |line, why| FileError::Content { file: file.to_owned(), line, why };
     let document = Document::parse_with_options(text, options).map_err(|error| {
         let line = usize::try_from(error.pos().row).unwrap_or(1);
         refuse(line, in_words(&error))
@@ -160,8 +142,8 @@ impl Fault {
     }
 
     /// With the name of the file.
-    pub fn of(self, file: &str) -> InspectError {
-        InspectError::Content { file: file.to_owned(), line: self.line, why: self.why }
+    pub fn of(self, file: &str) -> FileError {
+        FileError::Content { file: file.to_owned(), line: self.line, why: self.why }
     }
 }
 

@@ -28,6 +28,7 @@ use rayon::prelude::*;
 pub use error::InspectError;
 pub use verdict::Verdict;
 
+use crate::bounded::{self, FileError};
 use crate::scenes::Scene;
 use link::{Link, Robot};
 use repair::{Advice, Case, Repair, Sides};
@@ -104,7 +105,7 @@ pub struct Summary {
 /// [`InspectError`]: the file cannot be read, or is no URDF, MJCF, SDF or scene.
 pub fn inspect(path: &Path) -> Result<Inspection, InspectError> {
     let file = path.display().to_string();
-    let text = element::read(path)?;
+    let text = bounded::text(path, bounded::MOST_OF_A_SCENE)?;
     let robot = read(&text, &file, path)?;
     let bodies: Vec<(Link, Judged)> = robot
         .links
@@ -116,7 +117,7 @@ pub fn inspect(path: &Path) -> Result<Inspection, InspectError> {
         .collect();
     if bodies.len() > MOST_BODIES {
         let why = format!("{} bodies, and {MOST_BODIES} are the most that are judged", bodies.len());
-        return Err(InspectError::Content { file, line: 1, why });
+        return Err(FileError::Content { file, line: 1, why }.into());
     }
     let sides = Sides::of(&bodies);
     let advise = |(link, judged): &(Link, Judged)| {
@@ -147,10 +148,10 @@ fn read(text: &str, file: &str, path: &Path) -> Result<Robot, InspectError> {
         other => {
             let shown: String = other.chars().take(40).collect();
             let why = format!("<{shown}> begins no robot: expected <robot> (URDF), <mujoco> (MJCF), <sdf>, or a scene that ends in .toml");
-            return Err(InspectError::Content { file: file.to_owned(), line: root.line, why });
+            return Err(FileError::Content { file: file.to_owned(), line: root.line, why }.into());
         }
     }
-    .map_err(|fault| fault.of(file))
+    .map_err(|fault| fault.of(file).into())
 }
 
 impl Inspection {

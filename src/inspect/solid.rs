@@ -23,7 +23,7 @@ pub(super) enum Shape {
 pub(super) struct Solid {
     pub shape: Shape,
     pub pose: Pose,
-    /// Density [kg/m³] where the file gives it one of its own.
+    /// Density [kg/m³] where the file gives it one.
     pub density: Option<f64>,
 }
 

@@ -4,8 +4,7 @@ use std::path::Path;
 
 use rayon::prelude::*;
 
-use super::JudgeError;
-use crate::bounded::{self, Unread};
+use crate::bounded::{self, FileError};
 
 /// The columns that are read, in the order of [`Row`].
 pub(super) const COLUMNS: [&str; 14] =
@@ -75,23 +74,14 @@ impl Log {
 }
 
 /// Reads a file.
-pub(super) fn read(path: &Path) -> Result<Log, JudgeError> {
-    let file = path.display().to_string();
-    let bytes = bounded::read(path, bounded::MOST_OF_A_LOG).map_err(|unread| match unread {
-        Unread::System(source) => JudgeError::Unreadable { file: file.clone(), source },
-        Unread::Content(why) => JudgeError::Content { file: file.clone(), line: 1, why },
-    })?;
-    let text = String::from_utf8(bytes).map_err(|error| {
-        let line =
-            1 + error.as_bytes()[..error.utf8_error().valid_up_to()].iter().filter(|b| **b == b'\n').count();
-        JudgeError::Content { file: file.clone(), line, why: "this is not text in UTF-8".to_owned() }
-    })?;
-    parse(&text, &file)
+pub(super) fn read(path: &Path) -> Result<Log, FileError> {
+    let text = bounded::text(path, bounded::MOST_OF_A_LOG)?;
+    parse(&text, &path.display().to_string())
 }
 
 /// Reads the text of a file.
-pub(super) fn parse(text: &str, file: &str) -> Result<Log, JudgeError> {
-    let refuse = |line, why: String| JudgeError::Content { file: file.to_owned(), line, why };
+pub(super) fn parse(text: &str, file: &str) -> Result<Log, FileError> {
+    let refuse = |line, why: String| FileError::Content { file: file.to_owned(), line, why };
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let Some(first) = text.lines().position(|line| !line.trim().is_empty()) else {
         return Err(refuse(1, format!("the file is empty: write a header {}, then rows", COLUMNS.join(","))));

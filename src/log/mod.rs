@@ -4,7 +4,6 @@
 //! hints at what it may have meant. Columns may be missing; what needs them is then not applicable, with the
 //! reason.
 
-mod error;
 mod file;
 mod frames;
 mod hints;
@@ -14,10 +13,10 @@ mod track;
 
 use std::path::Path;
 
+use crate::bounded::FileError;
 use crate::record::{ClaimName, Measurement, Ruling, RunStatus, Verdict};
 use crate::scenes::Scene;
 
-pub use error::JudgeError;
 pub use frames::{Convention, Fit, FrameCheck};
 
 use file::{Log, Part};
@@ -74,9 +73,9 @@ pub struct Judgement {
 /// Judges a file.
 ///
 /// # Errors
-/// [`JudgeError`]: it cannot be read, or is no trajectory.
-pub fn judge(path: &Path, scene: &Scene, declared: Convention) -> Result<Judgement, JudgeError> {
-    judge_log(file::read(path)?, scene, declared).map_err(|why| JudgeError::Content {
+/// [`FileError`]: it cannot be read, or is no trajectory.
+pub fn judge(path: &Path, scene: &Scene, declared: Convention) -> Result<Judgement, FileError> {
+    judge_log(file::read(path)?, scene, declared).map_err(|why| FileError::Content {
         file: path.display().to_string(),
         line: 2,
         why,

@@ -6,7 +6,7 @@
 //! to the last bit. (The exponents are multiples of four, so that roots of roots are exact too.)
 //!
 //! A scheme of the list runs in double-double, a program in f64. How a rounding grows is seen in copies in f64; its unit is that of the
-//! arithmetic.
+//! arithmetic. Where roundings of f64 grow to the size of the motion, nothing is known of how far finer ones grow: the runs are in f64 there.
 
 use nalgebra::Vector3;
 
@@ -53,7 +53,9 @@ pub fn other_worlds(contestant: &Contestant, system: &System, rungs: &[Rung]) ->
         steps: rung.steps.min(most),
         solves: rung.outcome.solves as f64 / rung.steps as f64,
     };
-    if precise && !compared.is_lost() { compared.rows::<DoubleDouble>() } else { compared.rows::<f64>() }
+    let (of_least, sizes) = compared.rounding(Form::Least);
+    let is_lost = Quantity::ALL.into_iter().any(|of| CLEAR * of_least[of] > BELOW * sizes[of]);
+    if precise && !is_lost { compared.rows::<DoubleDouble>(of_least) } else { compared.rows::<f64>(of_least) }
 }
 
 /// A run that is made in every world.
@@ -68,13 +70,13 @@ struct Compared<'a> {
 }
 
 impl Compared<'_> {
-    fn rows<T: Arithmetic>(&self) -> Vec<OtherWorld> {
+    /// `of_least` is the rounding of the least model in f64.
+    fn rows<T: Arithmetic>(&self, of_least: PerQuantity<f64>) -> Vec<OtherWorld> {
         let Ok(system) = System::<T>::of(self.system) else { return Vec::new() };
         let Some(own) = self.end(&system, Form::Least, self.step) else { return Vec::new() };
         let takes_points = self.contestant.takes_points();
         let own_of_points = if takes_points { self.end(&system, Form::Points, self.step) } else { None };
-        let of_least = self.rounding(Form::Least);
-        let of_points = own_of_points.map(|_| self.rounding(Form::Points));
+        let of_points = own_of_points.map(|_| self.rounding(Form::Points).0);
         let row = |world: World<T>| {
             let (own, rounding) = match world.form {
                 Form::Least => (own, of_least),
@@ -82,7 +84,7 @@ impl Compared<'_> {
             };
             Some(self.row(&world, &system, &own, rounding))
         };
-        self.worlds(&system).into_iter().chain(self.told(&system)).filter_map(row).collect()
+        self.worlds(&system).into_iter().chain(self.descriptions(&system)).filter_map(row).collect()
     }
 
     /// How far the run in a world is off.
@@ -123,20 +125,13 @@ impl Compared<'_> {
         if outcome.broken.is_none() { end } else { None }
     }
 
-    /// Whether roundings of f64 grow to the size of the motion: how far those of a finer arithmetic grow is not known then.
-    fn is_lost(&self) -> bool {
-        let plan = Plan { step: self.step, steps: self.steps, every: 1 };
-        let sizes = sizes(self.system, &self.contestant.run(self.system, Form::Least, &plan).states);
-        let rounding = self.rounding(Form::Least);
-        Quantity::ALL.into_iter().any(|quantity| CLEAR * rounding[quantity] > BELOW * sizes[quantity])
-    }
-
-    /// What rounding does to the run in f64.
-    fn rounding(&self, form: Form) -> PerQuantity<f64> {
+    /// What rounding does to the run in f64, and how large everything gets.
+    fn rounding(&self, form: Form) -> (PerQuantity<f64>, PerQuantity<f64>) {
         let plan = Plan { step: self.step, steps: self.steps, every: 1 };
         let motion = self.contestant.run(self.system, form, &plan).states;
         let spread = copies::spread(self.contestant, (self.system, form), &plan, &motion);
-        copies::rounding(&spread, &sizes(self.system, &motion), plan.steps)
+        let sizes = sizes(self.system, &motion);
+        (copies::rounding(&spread, &sizes, plan.steps), sizes)
     }
 
     /// What larger positions and velocities in the other world round off besides.
@@ -156,11 +151,11 @@ impl Compared<'_> {
     }
 
     /// The same body described in other ways, on the least model and on the points.
-    fn told<T: Real>(&self, system: &System<T>) -> Vec<World<T>> {
+    fn descriptions<T: Real>(&self, system: &System<T>) -> Vec<World<T>> {
         let is_of_points = system.body.is_of_its_points();
-        let told = |name, told: Option<System<T>>, form| {
+        let described = |name, system: Option<System<T>>, form| {
             let (change, step) = (Change::none(), self.step);
-            told.filter(|_| is_of_points).map(|system| World {
+            system.filter(|_| is_of_points).map(|system| World {
                 name,
                 change,
                 system,
@@ -170,11 +165,11 @@ impl Compared<'_> {
             })
         };
         [
-            told("permuted", retold::permuted(system), Form::Least),
-            told("split", retold::split(system), Form::Least),
-            told("by-inertia", retold::by_inertia(system), Form::Least),
-            told("permuted-points", retold::permuted(system), Form::Points),
-            told("split-points", retold::split(system), Form::Points),
+            described("permuted", retold::permuted(system), Form::Least),
+            described("split", retold::split(system), Form::Least),
+            described("by-inertia", retold::by_inertia(system), Form::Least),
+            described("permuted-points", retold::permuted(system), Form::Points),
+            described("split-points", retold::split(system), Form::Points),
         ]
         .into_iter()
         .flatten()

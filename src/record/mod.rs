@@ -27,7 +27,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use crate::bounded::{self, Unread};
+use crate::bounded::{self, FileError};
 pub use crate::claim::ClaimName;
 pub use cost::{CostRow, Grows, ScalingRow};
 pub use engines::{EngineRow, PeerRow, Twin};
@@ -211,12 +211,12 @@ impl Records {
 
 /// The text of a file of records.
 fn read_text(path: &Path) -> Result<String, RecordError> {
-    let format = |why: String| RecordError::Format { path: path.into(), why };
-    let bytes = bounded::read(path, bounded::MOST_OF_RECORDS).map_err(|unread| match unread {
-        Unread::System(source) => RecordError::File { path: path.into(), source },
-        Unread::Content(why) => format(why),
-    })?;
-    String::from_utf8(bytes).map_err(|error| format(error.to_string()))
+    bounded::text(path, bounded::MOST_OF_RECORDS).map_err(|error| match error {
+        FileError::Unreadable { source, .. } => RecordError::File { path: path.into(), source },
+        FileError::Content { line, why, .. } => {
+            RecordError::Format { path: path.into(), why: format!("line {line}: {why}") }
+        }
+    })
 }
 
 #[cfg(test)]

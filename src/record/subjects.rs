@@ -26,8 +26,8 @@ pub struct SceneRow {
     pub not_for_order: Option<String>,
     /// The sources of the reference solution.
     pub references: Vec<ReferenceRow>,
-    /// Largest relative difference of a state between the least model and the mass points as written,
-    /// after 1,000 steps; `None` where the body has no points.
+    /// Largest relative difference of a state between the least model and the mass points as written, after 128 steps in
+    /// double-double or 1,000 in f64; `None` where the body has no points.
     pub reduction_difference: Option<f64>,
     /// Cost of a step of Peskin's scheme on the mass points over its cost on the least model, timed alone.
     pub reduction_speedup: Option<f64>,

@@ -28,7 +28,7 @@ pub(crate) use schema::to_json;
 #[cfg(feature = "cli")]
 pub(crate) use wording::{one_of, three_nearest};
 
-use crate::bounded::{self, Unread};
+use crate::bounded::{self, FileError};
 use crate::model::System;
 use table::Table;
 use value::{Document, Value};
@@ -115,21 +115,13 @@ impl Scene {
             let near = wording::three_nearest(name_or_path, FILES.iter().map(|(name, _)| *name));
             return Err(SceneError::Unknown { name: name_or_path.to_string(), near });
         }
-        let file = name_or_path.to_string();
-        let bytes = bounded::read(path, bounded::MOST_OF_A_SCENE).map_err(|unread| match unread {
-            Unread::System(source) => SceneError::Unreadable { file: file.clone(), source },
-            Unread::Content(message) => {
-                SceneError::Content { file: file.clone(), line: 1, key: String::new(), message }
+        let text = bounded::text(path, bounded::MOST_OF_A_SCENE).map_err(|error| match error {
+            FileError::Unreadable { file, source } => SceneError::Unreadable { file, source },
+            FileError::Content { file, line, why } => {
+                SceneError::Content { file, line, key: String::new(), message: why }
             }
         })?;
-        match std::str::from_utf8(&bytes) {
-            Ok(text) => Scene::parse(text, &file),
-            Err(error) => {
-                let line = 1 + bytes[..error.valid_up_to()].iter().filter(|byte| **byte == b'\n').count();
-                let message = "this is not text in UTF-8: save the file as UTF-8".to_string();
-                Err(SceneError::Content { file, line, key: String::new(), message })
-            }
-        }
+        Scene::parse(&text, name_or_path)
     }
 }
 

@@ -14,7 +14,7 @@ mod cayley;
 mod collocation;
 mod composed;
 #[cfg(feature = "solvers")]
-mod dormand_prince_8;
+pub(crate) mod dormand_prince_8;
 mod families;
 mod iteration;
 mod multipliers;

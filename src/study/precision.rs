@@ -311,7 +311,7 @@ mod tests {
                 assert!(rounding.is_none_or(|size| (error - size).abs() < apart), "{run:?}");
             }
         }
-        // A run of its own, in single precision, has the error of the row.
+        // A separate run in single precision has the error of the row.
         let steps = single.runs[3].steps;
         let plan = Plan::over(scene.duration, steps, SAMPLES);
         let run = rotor.at(Precision::F32).expect("a scheme").run(&scene.system, Form::Least, &plan);

@@ -107,11 +107,12 @@ const EDGES: &[(&str, &[&str])] = &[
             "simulate",
         ],
     ),
-    ("report", &["record"]),
+    ("report", &["quantity", "record"]),
     (
         "cli",
         &[
             "arithmetic",
+            "bounded",
             "campaign",
             "claim",
             "engine",

@@ -40,7 +40,7 @@ fn binary(powers: [i32; 3]) -> Change {
     change(powers.map(|power| 2f64.powi(power)))
 }
 
-/// The states of a run of a tenth of a radian a step, in these units and told in the scene's own; or why it broke.
+/// The states of a run of a tenth of a radian a step, in these units, its states converted to the scene's units; or why it broke.
 fn run(contestant: &Contestant, scene: &Scene, form: Form, change: &Change) -> Result<Vec<Snapshot>, String> {
     let start = &scene.system.start;
     let momentum = start.orientation.inverse_transform_vector(&start.angular_momentum);

@@ -1,4 +1,4 @@
-//! `<default>`: attributes that an element takes from its class where it has none of its own.
+//! `<default>`: attributes that an element takes from its class where it gives none itself.
 
 use std::collections::BTreeMap;
 

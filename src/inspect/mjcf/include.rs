@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use crate::bounded::MOST_OF_A_SCENE;
+use crate::bounded::{self, MOST_OF_A_SCENE};
 use crate::inspect::element::{self, DEEPEST, Element, Fault};
 
 struct Includes<'p> {
@@ -61,7 +61,7 @@ impl Includes<'_> {
                 format!("{name} is included twice, which MuJoCo refuses: remove one"),
             ));
         }
-        let text = element::read(&path).map_err(|error| Fault::at(include, error))?;
+        let text = bounded::text(&path, MOST_OF_A_SCENE).map_err(|error| Fault::at(include, error))?;
         self.bytes += text.len() as u64;
         if self.bytes > MOST_OF_A_SCENE {
             return Err(Fault::at(

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::quantity::Quantity;
 use crate::record::{Measurement, Order, OrderStatus, Records};
 use crate::report::{number, survey};
 
@@ -14,6 +15,8 @@ use super::sketch::{Anchor, Place, Sketch, Type};
 
 /// Between a guide and the nearest curve, log₁₀.
 const APART: f64 = 0.25;
+/// Room for the name of a guide, log₁₀.
+const NAME_OF_GUIDE: f64 = 0.4;
 /// How far a column of orders reaches to both sides of its claim.
 const REACH: f64 = 0.3;
 /// Between two columns of orders.
@@ -43,7 +46,8 @@ pub(super) fn draw_errors(
     let typical = shown.0.iter().find(under_forces).or(shown.0.first()).copied().unwrap_or_default();
     let one = [typical];
     let shown: Shown = if few { shown } else { (&one, shown.1) };
-    let curves = ladders(records, palette, shown);
+    let spins: Option<Vec<f64>> = shown.0.iter().map(|scene| largest_spin(records, scene)).collect();
+    let curves = ladders(records, palette, shown, spins.as_deref());
     let rungs = || curves.iter().flat_map(|curve| &curve.rungs);
     let (left, right) = bounds(&rungs().map(|rung| rung.step).collect::<Vec<_>>());
     let errors: Vec<f64> = rungs().map(|rung| rung.error).filter(|error| error.is_finite()).collect();
@@ -68,7 +72,7 @@ pub(super) fn draw_errors(
         draw_guide(sketch, &panel, &curves, (order, index == 0));
     }
     panel.draw_frame(sketch);
-    panel.label_x(sketch, "step h [s]");
+    panel.label_x(sketch, if spins.is_some() { "step h × largest Ω [rad]" } else { "step h [s]" });
     panel.label_y(sketch);
     let unit = records
         .orders
@@ -80,17 +84,33 @@ pub(super) fn draw_errors(
     panel.title(sketch, &format!("Error in {words} at the end [{unit}], {which}"));
 }
 
-fn ladders<'a>(records: &'a Records, palette: &Palette<'a>, (scenes, quantity): Shown) -> Vec<Curve<'a>> {
-    let of_scene = |scene: &&str| {
+/// The largest |Ω| of the reference [rad/s]; `None` without evidence, and where nothing turns.
+fn largest_spin(records: &Records, scene: &str) -> Option<f64> {
+    let own = records.evidence.iter().find(|evidence| evidence.scene == scene)?;
+    Some(own.ladder.sizes[Quantity::AngularVelocity]).filter(|spin| *spin > 0.0)
+}
+
+/// The ladders of every scheme; with the spins of the scenes their steps are in radians, so that scenes fall on one another.
+fn ladders<'a>(
+    records: &'a Records,
+    palette: &Palette<'a>,
+    (scenes, quantity): Shown,
+    spins: Option<&[f64]>,
+) -> Vec<Curve<'a>> {
+    let of_scene = |(index, scene): (usize, &&str)| {
         let here = |row: &&Measurement| row.scene == **scene && row.metric == quantity;
         let rows: Vec<&Measurement> = records.measurements.iter().map(Arc::as_ref).filter(here).collect();
         let fit = |scheme| survey::order(records, scene, scheme, quantity);
-        let all: Vec<Curve> =
-            palette.schemes().iter().map(|name| curves::curve(name, &rows, fit(name))).collect();
-        all
+        let turned = spins.map_or(0.0, |spins| spins[index].log10());
+        let curve = |name| {
+            let mut curve = curves::curve(name, &rows, fit(name));
+            curve.rungs.iter_mut().for_each(|rung| rung.step += turned);
+            curve
+        };
+        palette.schemes().iter().map(|name| curve(name)).collect::<Vec<Curve>>()
     };
     // A curve at rounding level is flat and says nothing about an order.
-    scenes.iter().flat_map(of_scene).filter(|curve| !curve.is_exact()).collect()
+    scenes.iter().enumerate().flat_map(of_scene).filter(|curve| !curve.is_exact()).collect()
 }
 
 /// The claimed orders, each once.
@@ -112,10 +132,12 @@ fn draw_guide(sketch: &mut Sketch, panel: &Panel, curves: &[Curve], (order, abov
     let used: Vec<_> = used.filter(|rung| rung.error.is_finite()).collect();
     let heights: Vec<f64> = used.iter().map(|rung| rung.error - slope * rung.step).collect();
     let (lowest, highest) = bounds(&heights);
-    let offset = if above { highest + APART } else { lowest - APART };
     let (from, to) = bounds(&used.iter().map(|rung| rung.step).collect::<Vec<_>>());
+    // A third of its length stays in the panel with its name, though it crosses what lies apart from the other curves.
+    let most = panel.y.high - NAME_OF_GUIDE - slope * (from + (to - from) / 3.0);
+    let offset = if above { (highest + APART).min(most) } else { lowest - APART };
     let from = from.max((panel.y.low - offset) / slope);
-    let to = to.min((panel.y.high - offset) / slope);
+    let to = to.min((panel.y.high - NAME_OF_GUIDE - offset) / slope);
     if used.is_empty() || to <= from {
         return;
     }
