@@ -13,7 +13,7 @@ mod track;
 
 use std::path::Path;
 
-use crate::bounded::FileError;
+pub use crate::bounded::FileError;
 use crate::record::{ClaimName, Measurement, Ruling, RunStatus, Verdict};
 use crate::scenes::Scene;
 
