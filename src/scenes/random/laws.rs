@@ -33,6 +33,11 @@ pub(super) struct Mix {
 }
 
 impl Mix {
+    /// No law.
+    pub fn none() -> Mix {
+        Mix { laws: Vec::new(), rate: 0.0, kink: false }
+    }
+
     pub fn names(&self) -> Vec<&'static str> {
         self.laws.iter().map(Law::name).collect()
     }
