@@ -32,7 +32,8 @@ impl Run<'_> {
             (self.direction(&twins, free), "angular-momentum-direction", free, "rad"),
         ];
         let named = quantities.into_iter().filter_map(|(values, name, conserved, unit)| {
-            let values = values.filter(|values| !values.is_empty() && values.iter().all(|v| v.is_finite()))?;
+            let values =
+                values.filter(|values| !values.is_empty() && values.iter().all(|v| v.is_finite()))?;
             Some((values, format!("{name}{}", if conserved { "" } else { "-error" }), unit))
         });
         named.map(|(values, quantity, unit)| self.row(names, quantity, unit, values)).collect()

@@ -197,7 +197,6 @@ fn series_of(
     let steps = coarsest.steps * SERIES_STEPS.div_ceil(coarsest.steps);
     let plan = Plan::over(scene.duration, steps, SERIES_SAMPLES);
     let run = contestant.run(&scene.system, Form::Least, &plan);
-    let run =
-        against_time::Run { system: &scene.system, reference, step: plan.step, states: &run.states };
+    let run = against_time::Run { system: &scene.system, reference, step: plan.step, states: &run.states };
     run.series(names)
 }

@@ -37,7 +37,8 @@ pub(super) fn replay(options: &Options, quiet: bool) -> Result<u8, Failure> {
     let parse = |one: &crate::record::SceneText| Scene::parse(&one.toml, &one.name);
     let scenes = capsule.scenes.iter().map(parse).collect::<Result<Vec<Scene>, _>>()?;
     let request = &capsule.request;
-    let contestants = request.schemes.iter().map(|name| select::contestant(name)).collect::<Result<_, _>>()?;
+    let contestants =
+        request.schemes.iter().map(|name| select::contestant(name)).collect::<Result<_, _>>()?;
     let survey = Survey {
         every_scheme: request.every_scheme,
         published: request.published,

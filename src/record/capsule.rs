@@ -130,9 +130,10 @@ impl Capsule {
             return Err(format("the scenes do not have the hash that the capsule states".to_owned()));
         }
         match again.sections.iter().zip(&capsule.sections).find(|(now, stated)| now != stated) {
-            Some((section, _)) => {
-                Err(format(format!("section {} does not have the hash that the capsule states", section.name)))
-            }
+            Some((section, _)) => Err(format(format!(
+                "section {} does not have the hash that the capsule states",
+                section.name
+            ))),
             None => Ok(capsule),
         }
     }

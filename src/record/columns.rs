@@ -101,12 +101,13 @@ impl Columns for Rung {
     fn read(written: Rungs) -> Option<Vec<Rung>> {
         let Rungs { step, steps, evaluations, errors, rounding, .. } = &written;
         let count = step.len();
-        let whole = [steps.len(), evaluations.len(), errors.len(), rounding.len()].iter().all(|n| *n == count)
-            && fits(&written.broken, count)
-            && fits(&written.unsolved, count)
-            && fits(&written.solves, count)
-            && fits(&written.iterations, count)
-            && fits(&written.vertical_momentum, count);
+        let whole =
+            [steps.len(), evaluations.len(), errors.len(), rounding.len()].iter().all(|n| *n == count)
+                && fits(&written.broken, count)
+                && fits(&written.unsolved, count)
+                && fits(&written.solves, count)
+                && fits(&written.iterations, count)
+                && fits(&written.vertical_momentum, count);
         let row = |index: usize| {
             Some(Rung {
                 step: step[index],

@@ -74,7 +74,9 @@ pub(super) fn serialize<S: Serializer>(rows: &[Arc<Evidence>], serializer: S) ->
     rows.iter().map(short).collect::<Result<Vec<Value>, _>>()?.serialize(serializer)
 }
 
-pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Arc<Evidence>>, D::Error> {
+pub(super) fn deserialize<'de, D: Deserializer<'de>>(
+    deserializer: D,
+) -> Result<Vec<Arc<Evidence>>, D::Error> {
     let mut seen = Seen::new();
     let whole = |mut value: Value| {
         restore(&mut value, &mut seen);

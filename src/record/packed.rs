@@ -185,7 +185,9 @@ pub(super) mod numbers {
         let [list] = deserializer.deserialize_any(Packed::<1>)?;
         let found = list.len();
         let numbers: Result<[f64; Quantity::ALL.len()], _> = list.try_into();
-        numbers.map(PerQuantity::from).map_err(|_| Error::invalid_length(found, &"a number for each quantity"))
+        numbers
+            .map(PerQuantity::from)
+            .map_err(|_| Error::invalid_length(found, &"a number for each quantity"))
     }
 }
 

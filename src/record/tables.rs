@@ -281,6 +281,9 @@ mod tests {
         assert_eq!((&*rows("records.csv")[0]["value"], &*rows("records.csv")[1]["why"]), ("0.25", "a, b"));
         assert_eq!(rows("orders.csv")[0]["finest_step_used_s"], "0.25");
         let constant = &rows("constants.csv")[0];
-        assert_eq!((&*constant["power_of_h"], &*constant["constant"], &*constant["unit"]), ("2", "3.5", "(rad)/s^2"));
+        assert_eq!(
+            (&*constant["power_of_h"], &*constant["constant"], &*constant["unit"]),
+            ("2", "3.5", "(rad)/s^2")
+        );
     }
 }

@@ -48,7 +48,8 @@ pub(super) fn schemes(records: &Records) -> Option<Table> {
         let tally = survey::tally(verdicts);
         let count = |outcome| tally.iter().find(|(one, _)| *one == outcome).map_or(0, |(_, count)| *count);
         let bad = count(Outcome::Fail) + count(Outcome::Broken);
-        let counts = [count(Outcome::Pass), count(Outcome::KnownDeviation), count(Outcome::Inconclusive), bad];
+        let counts =
+            [count(Outcome::Pass), count(Outcome::KnownDeviation), count(Outcome::Inconclusive), bad];
         let claim = survey::claimed_order(records, scheme).map_or(number::NONE.into(), |p| p.to_string());
         let evaluations = if card.evaluations > 0 { card.evaluations.to_string() } else { "implicit".into() };
         let first = vec![scheme.to_owned(), claim, evaluations, range, orders.len().to_string()];
@@ -66,7 +67,12 @@ pub(super) fn schemes(records: &Records) -> Option<Table> {
         "undecided",
         "fail",
     ];
-    table("schemes", "The schemes: claimed and measured order of the orientation, and their verdicts.", &head, rows)
+    table(
+        "schemes",
+        "The schemes: claimed and measured order of the orientation, and their verdicts.",
+        &head,
+        rows,
+    )
 }
 
 /// Whether an order is decided and of the quantity that stands for its scene.
@@ -79,10 +85,7 @@ fn standing(records: &Records, scene: &str) -> &'static str {
 }
 
 /// A scene a row and a scheme a column.
-fn grid(
-    records: &Records,
-    cell: impl Fn(&str, &str) -> Option<String>,
-) -> (Vec<String>, Vec<Vec<String>>) {
+fn grid(records: &Records, cell: impl Fn(&str, &str) -> Option<String>) -> (Vec<String>, Vec<Vec<String>>) {
     let schemes = survey::schemes(records);
     let filled = |scheme: &&str| survey::scenes(records).iter().any(|scene| cell(scene, scheme).is_some());
     let schemes: Vec<&str> = schemes.into_iter().filter(filled).collect();
@@ -128,7 +131,8 @@ fn constants(records: &Records) -> Option<Table> {
 /// Drifts of the rotational energy of bodies without torque.
 pub(super) fn drifts(records: &Records) -> Option<Table> {
     let cell = |scene: &str, scheme: &str| {
-        let own = |row: &&Drift| row.scene == scene && row.scheme == scheme && row.quantity == "rotational-energy";
+        let own =
+            |row: &&Drift| row.scene == scene && row.scheme == scheme && row.quantity == "rotational-energy";
         let row = records.drifts.iter().find(own)?;
         Some(match (row.class, row.rate_order) {
             (DriftClass::Secular, Some(order)) => format!("secular, {order:.2}"),
@@ -262,7 +266,8 @@ mod tests {
 
     #[test]
     fn every_row_has_as_many_cells_as_the_head_in_both_languages() {
-        let table = table("t", "A table.", &["a", "b"], vec![vec!["x | y".into(), "1".into()]]).expect("rows");
+        let table =
+            table("t", "A table.", &["a", "b"], vec![vec!["x | y".into(), "1".into()]]).expect("rows");
         let text = table.written(Language::Markdown);
         let bars = |line: &str| line.replace("\\|", "").matches('|').count();
         assert!(text.lines().filter(|line| line.starts_with('|')).all(|line| bars(line) == 3), "{text}");

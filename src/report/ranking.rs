@@ -258,13 +258,16 @@ pub(super) struct OverallPlace<'a> {
 
 /// The rankings without torque and with it, over common scenes that carry an order; none from fewer than two scenes or schemes.
 pub(super) fn overall(records: &Records) -> Vec<Overall<'_>> {
-    let ranked: Vec<(&str, Ranking)> =
-        survey::scenes(records).into_iter().filter_map(|scene| Some((scene, rank(records, scene)?))).collect();
+    let ranked: Vec<(&str, Ranking)> = survey::scenes(records)
+        .into_iter()
+        .filter_map(|scene| Some((scene, rank(records, scene)?)))
+        .collect();
     let yardstick = ranked.first().map_or("", |(_, ranking)| ranking.yardstick);
     let of_kind = |torque_free: bool| {
         let here = |(scene, ranking): &&(&str, Ranking)| {
             let row = survey::scene(records, scene);
-            let kind = row.is_some_and(|row| row.not_for_order.is_none() && is_torque_free(row) == torque_free);
+            let kind =
+                row.is_some_and(|row| row.not_for_order.is_none() && is_torque_free(row) == torque_free);
             kind && ranking.yardstick == yardstick
         };
         common(ranked.iter().filter(here).collect(), torque_free)
@@ -303,7 +306,8 @@ fn common<'a>(ranked: Vec<&(&'a str, Ranking<'a>)>, torque_free: bool) -> Option
         let ratios: Vec<(f64, &'a str)> =
             shared.iter().filter_map(|one| Some((ratio(one, scheme)?, one.0))).collect();
         let mean = ratios.iter().map(|(ratio, _)| ratio.ln()).sum::<f64>() / ratios.len() as f64;
-        let of = |ranking: &Ranking<'a>| ranking.places.iter().find(|p| p.scheme == *scheme).map(|p| p.family);
+        let of =
+            |ranking: &Ranking<'a>| ranking.places.iter().find(|p| p.scheme == *scheme).map(|p| p.family);
         Some(OverallPlace {
             scheme,
             family: of(&shared[0].1)?,

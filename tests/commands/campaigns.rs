@@ -199,18 +199,24 @@ fn a_capsule_is_replayed_to_the_bit_and_a_row_that_differs_is_1() {
     let folder = scratch();
     let at = |name: &str| folder.path().join(name).to_string_lossy().into_owned();
     let (out, capsule) = (at("out"), at("capsule.json"));
-    let made = ["report", "--quiet", "free-oblate", "--scheme", "euler", "--out", &out, "--capsule", &capsule];
+    let made =
+        ["report", "--quiet", "free-oblate", "--scheme", "euler", "--out", &out, "--capsule", &capsule];
     assert_eq!(code(&polhode(&made)), 0);
     let replayed = polhode(&["replay", "--quiet", &capsule]);
     assert_eq!(code(&replayed), 0, "{}", stdout(&replayed));
     // The same numbers from another scheme, with hashes that belong to them: rows differ.
     let text = fs::read_to_string(&capsule).expect("written");
     let other = at("other.json");
-    fs::write(&other, text.replace("\"schemes\":[\"euler\"]", "\"schemes\":[\"peskin-rk2\"]")).expect("written");
+    fs::write(&other, text.replace("\"schemes\":[\"euler\"]", "\"schemes\":[\"peskin-rk2\"]"))
+        .expect("written");
     let replayed = polhode(&["replay", "--quiet", &other]);
     assert_eq!(code(&replayed), 1, "{}", stderr(&replayed));
     // A number that was edited does not have its hash.
-    fs::write(&other, text.replace("free-oblate\",\"scheme\":\"euler\"", "free-oblate\",\"scheme\":\"eulers\"")).expect("written");
+    fs::write(
+        &other,
+        text.replace("free-oblate\",\"scheme\":\"euler\"", "free-oblate\",\"scheme\":\"eulers\""),
+    )
+    .expect("written");
     assert_eq!(code(&polhode(&["replay", "--quiet", &other])), 65);
 }
 

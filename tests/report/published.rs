@@ -8,7 +8,8 @@ use polhode::record::Verdict;
 use polhode::schemes;
 use serde_json::Value;
 
-const HOW: &str = "make it anew with `polhode report --from reports/latest/records.json --brief --out reports/published`";
+const HOW: &str =
+    "make it anew with `polhode report --from reports/latest/records.json --brief --out reports/published`";
 
 fn published(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/published").join(name)
@@ -35,7 +36,9 @@ fn the_published_page_is_short_and_its_links_exist() {
     assert!(text.len() <= 200_000 && text.lines().count() <= 250, "{} lines: {HOW}", text.lines().count());
     let links: Vec<&str> = text.split("](").skip(1).filter_map(|rest| rest.split(')').next()).collect();
     assert!(links.iter().all(|link| published(link).is_file()), "{links:?}: {HOW}");
-    assert!(links.iter().any(|link| link.ends_with(".png")) && links.iter().any(|link| link.ends_with(".csv")));
+    assert!(
+        links.iter().any(|link| link.ends_with(".png")) && links.iter().any(|link| link.ends_with(".csv"))
+    );
 }
 
 #[test]

@@ -32,7 +32,15 @@ fn two_reports_of_the_same_records_are_the_same_to_the_byte() {
             path.display()
         );
     }
-    for name in ["index.html", "report.md", "records.json", "records.csv", "orders.csv", "constants.csv", "drifts.csv"] {
+    for name in [
+        "index.html",
+        "report.md",
+        "records.json",
+        "records.csv",
+        "orders.csv",
+        "constants.csv",
+        "drifts.csv",
+    ] {
         assert!(
             fs::read(first.path().join(name)).expect("a file of the test itself")
                 == fs::read(second.path().join(name)).expect("a file of the test itself"),
@@ -285,7 +293,8 @@ fn precision_has_a_picture_and_a_table_that_says_bounds() {
 fn a_picture_asked_for_as_svg_stands_beside_its_png() {
     let folder = tempfile::tempdir().expect("a file of the test itself");
     let write = |pictures| {
-        report::write_with(&few(&[1]), folder.path(), pictures, &|_, _| ()).expect("a file of the test itself");
+        report::write_with(&few(&[1]), folder.path(), pictures, &|_, _| ())
+            .expect("a file of the test itself");
     };
     write(report::Pictures::PngAndSvg);
     for path in plots(folder.path()).iter().filter(|path| path.extension().is_some_and(|end| end == "png")) {

@@ -50,7 +50,8 @@ pub(super) fn sketch(records: &Records, palette: &Palette, scene: &str) -> Optio
 
 /// A row a scheme, with its order in each quantity.
 fn key(palette: &Palette, drawn: &[Quantity]) -> Key {
-    let curve = |quantity: &Quantity, scheme: &str| quantity.curves.iter().position(|curve| curve.scheme == scheme);
+    let curve =
+        |quantity: &Quantity, scheme: &str| quantity.curves.iter().position(|curve| curve.scheme == scheme);
     let row = |scheme: &&str| {
         let cell = |quantity: &Quantity| {
             curve(quantity, scheme).map_or(number::NONE.into(), |index| label_words(&quantity.curves[index]))

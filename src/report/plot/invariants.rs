@@ -60,7 +60,12 @@ pub(super) fn sketch(records: &Records, palette: &Palette, scene: &str) -> Optio
     }
     let below = all.bottom + 100.0;
     if !still.is_empty() {
-        let frame = Frame { left: all.left + 140.0, top: below, right: all.right - 30.0, bottom: below + note - 20.0 };
+        let frame = Frame {
+            left: all.left + 140.0,
+            top: below,
+            right: all.right - 30.0,
+            bottom: below + note - 20.0,
+        };
         let names: Vec<String> = still.iter().map(|name| survey::quantity_words(name)).collect();
         panel::words(&mut sketch, frame, "Changed by rounding alone in every scheme", &[names.join(" · ")]);
     }

@@ -41,8 +41,8 @@ use super::ranking::Work;
 use super::survey;
 use palette::Palette;
 pub(in crate::report) use render::Fault;
-pub(in crate::report) use vector::alone;
 use sketch::Sketch;
+pub(in crate::report) use vector::alone;
 pub(super) use work_precision::{Cast, Group};
 
 /// What a picture shows.

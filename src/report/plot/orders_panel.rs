@@ -24,7 +24,8 @@ type Shown<'a> = (&'a [&'a str], &'a [(&'a str, u32)], &'a str);
 /// Draws every measured order with its bounds.
 pub(super) fn draw(sketch: &mut Sketch, records: &Records, palette: &Palette, shown: Shown, frame: Frame) {
     let (scenes, columns, quantity) = shown;
-    let row = |index: usize| frame.top + (index as f64 + 0.5) / scenes.len() as f64 * (frame.bottom - frame.top);
+    let row =
+        |index: usize| frame.top + (index as f64 + 0.5) / scenes.len() as f64 * (frame.bottom - frame.top);
     for (index, scene) in scenes.iter().enumerate() {
         sketch.text(&fitted(scene, NAME, NAME_ROOM), (frame.left - 20.0, row(index)), Anchor::End, NAME);
     }
@@ -49,7 +50,12 @@ pub(super) fn draw(sketch: &mut Sketch, records: &Records, palette: &Palette, sh
         sketch.text(&claims, (middle, column.bottom + 30.0), Anchor::Middle, NAME);
     }
     let middle = (frame.left + frame.right) / 2.0;
-    sketch.text("claimed order; the other one without torque", (middle, frame.bottom + 74.0), Anchor::Middle, AXIS);
+    sketch.text(
+        "claimed order; the other one without torque",
+        (middle, frame.bottom + 74.0),
+        Anchor::Middle,
+        AXIS,
+    );
     let place = (frame.left - NAME_ROOM - 20.0, frame.top - 30.0);
     sketch.text("Measured order with its bounds", place, Anchor::Start, TITLE);
 }
@@ -68,7 +74,8 @@ fn draw_cell(
     let is_main = |order: &&Order| order.quantity == survey::base(quantity);
     let mut orders: Vec<&Order> = records.orders.iter().filter(here).collect();
     orders.sort_by_key(is_main);
-    let claim = claim_in(records, scene, scheme).or(survey::claimed_order(records, scheme)).unwrap_or_default();
+    let claim =
+        claim_in(records, scene, scheme).or(survey::claimed_order(records, scheme)).unwrap_or_default();
     let more = f64::from(claim) - (panel.x.low + panel.x.high) / 2.0;
     for order in orders {
         draw_order(sketch, palette, (panel, y), (order, more), is_main(&order));

@@ -67,7 +67,8 @@ fn columns<'a>(records: &Records, palette: &Palette<'a>) -> Vec<(&'a str, u32)> 
 /// A row a scheme, with its claim and in how many scenes it was measured.
 fn key(records: &Records, palette: &Palette) -> Key {
     let row = |scheme: &&str| {
-        let claim = survey::claimed_order(records, scheme).map_or(number::NONE.into(), |order| order.to_string());
+        let claim =
+            survey::claimed_order(records, scheme).map_or(number::NONE.into(), |order| order.to_string());
         Row { look: palette.look(scheme), name: (*scheme).into(), cells: vec![claim] }
     };
     Key { heads: vec!["claimed order".into()], rows: palette.schemes().iter().map(row).collect() }

@@ -41,8 +41,7 @@ pub(super) const COLOURS: [RGBColor; 8] = [
 const LINES: usize = 7;
 const MARKERS: [Marker; 5] =
     [Marker::Disc, Marker::Square, Marker::Triangle, Marker::Diamond, Marker::TriangleDown];
-const DASHES: [Dash; 5] =
-    [&[], &[15.0, 8.0], &[4.0, 8.0], &[24.0, 8.0, 4.0, 8.0], &[30.0, 14.0]];
+const DASHES: [Dash; 5] = [&[], &[15.0, 8.0], &[4.0, 8.0], &[24.0, 8.0, 4.0, 8.0], &[30.0, 14.0]];
 /// Looks that main schemes keep for themselves.
 const KEPT: usize = 12;
 

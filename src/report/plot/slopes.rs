@@ -28,7 +28,9 @@ pub(super) fn draw(sketch: &mut Sketch, panel: &Panel, curves: &[Vec<Place>], or
 /// Whether a line through places enters a rectangle.
 fn enters(curve: &[Place], corner: &Frame) -> bool {
     const PARTS: usize = 16;
-    let inside = |(x, y): Place| (corner.left..=corner.right).contains(&x) && (corner.top..=corner.bottom).contains(&y);
+    let inside = |(x, y): Place| {
+        (corner.left..=corner.right).contains(&x) && (corner.top..=corner.bottom).contains(&y)
+    };
     let between = |pair: &[Place]| {
         (0..=PARTS).any(|part| {
             let part = part as f64 / PARTS as f64;
@@ -51,7 +53,8 @@ fn fan(sketch: &mut Sketch, panel: &Panel, corner: Frame, orders: &[u32]) {
         }
         last = Some(end);
         sketch.dashes(apex, end, GUIDE, 3.0);
-        let words = if *order == 1 { "h".to_string() } else { format!("h{}", number::superscript(*order as i32)) };
+        let words =
+            if *order == 1 { "h".to_string() } else { format!("h{}", number::superscript(*order as i32)) };
         if end.0 < corner.right - 1.0 {
             sketch.text(&words, (end.0, end.1 - 20.0), Anchor::Middle, NAME);
         } else {
@@ -68,8 +71,7 @@ mod tests {
     #[test]
     fn slopes_stand_in_a_free_corner_or_nowhere() {
         let frame = Frame { left: 0.0, top: 0.0, right: 900.0, bottom: 900.0 };
-        let panel =
-            Panel { frame, x: Axis::logarithmic(-3.0, 0.0, 5), y: Axis::logarithmic(-9.0, 0.0, 5) };
+        let panel = Panel { frame, x: Axis::logarithmic(-3.0, 0.0, 5), y: Axis::logarithmic(-9.0, 0.0, 5) };
         let ends = |curves: &[Vec<Place>]| {
             let mut sketch = Sketch::new(900.0, 900.0, String::new());
             draw(&mut sketch, &panel, curves, &[1, 2, 4]);

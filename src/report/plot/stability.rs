@@ -1,7 +1,7 @@
 //! The curves of a study of stability: limits beside theory, energy over many steps, and the law of the energy.
 
-use crate::record::stability::{LimitStatus, LinearLimit, LongRun, Meaning, Stability};
 use crate::record::SchemeRow;
+use crate::record::stability::{LimitStatus, LinearLimit, LongRun, Meaning, Stability};
 use crate::report::survey;
 
 use super::axis::Axis;

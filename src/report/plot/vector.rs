@@ -95,7 +95,9 @@ struct Steps {
 impl Steps {
     fn through(&mut self, places: &[Place]) {
         let mut last = (0, 0);
-        for (index, place) in places.iter().filter(|place| place.0.is_finite() && place.1.is_finite()).enumerate() {
+        for (index, place) in
+            places.iter().filter(|place| place.0.is_finite() && place.1.is_finite()).enumerate()
+        {
             let here = ((place.0 * 10.0).round() as i64, (place.1 * 10.0).round() as i64);
             let sign = match index {
                 0 => "M",
@@ -139,7 +141,8 @@ fn words(text: &str, (x, y): Place, anchor: Anchor, face: &Type, turned: bool) -
     let drop = MIDDLE_EM * face.em;
     let (x, y) = if turned { (x + drop, y) } else { (x, y + drop) };
     let [x, y] = [x, y].map(|place| tenths((place * 10.0).round() as i64));
-    let mut element = format!("<text x=\"{x}\" y=\"{y}\" font-size=\"{}\" fill=\"{}\"", face.em, hex(face.ink));
+    let mut element =
+        format!("<text x=\"{x}\" y=\"{y}\" font-size=\"{}\" fill=\"{}\"", face.em, hex(face.ink));
     if face.bold {
         element += " font-weight=\"bold\"";
     }

@@ -190,8 +190,13 @@ fn entries(rows: &[Row], fronts: &[&str], others: usize) -> Vec<Entry> {
 fn draw_row(sketch: &mut Sketch, palette: &Palette, row: &Row, cell: Frame, fronts: &[&str]) {
     for (index, (_, words)) in COLUMNS.iter().enumerate() {
         let frame = cell.cell((COLUMNS.len(), 1), index).inside(124.0, 66.0, 26.0, 116.0);
-        let view =
-            one::View { ladders: &row.ladders[index], all: &row.ladders[1], floor: row.floor, palette, fronts };
+        let view = one::View {
+            ladders: &row.ladders[index],
+            all: &row.ladders[1],
+            floor: row.floor,
+            palette,
+            fronts,
+        };
         view.draw(sketch, frame, if index == 0 { &row.title } else { "" }, words);
     }
 }
