@@ -40,12 +40,7 @@ pub(super) fn draw_errors(
     let shown: Shown = if few { shown } else { (&one, shown.1) };
     let spins: Option<Vec<f64>> = shown.0.iter().map(|scene| largest_spin(records, scene)).collect();
     let curves = ladders(records, palette, shown, spins.as_deref());
-    let rungs = || curves.iter().flat_map(|curve| &curve.rungs);
-    let (left, right) = bounds(&rungs().map(|rung| rung.step).collect::<Vec<_>>());
-    let errors: Vec<f64> = rungs().map(|rung| rung.error).filter(|error| error.is_finite()).collect();
-    let (low, high) = bounds(&errors);
-    let (x, y) = (Axis::logarithmic(left - 0.1, right + 0.1, 6), Axis::logarithmic(low - 0.5, high + 0.5, 8));
-    let panel = Panel { frame, x, y };
+    let panel = axes(&curves, frame);
     panel.draw_grid(sketch);
     let places = |curve: &Curve| {
         let whole = curve.rungs.iter().filter(|rung| rung.error.is_finite());
@@ -71,6 +66,16 @@ pub(super) fn draw_errors(
     let words = survey::quantity_words(shown.1);
     let which = if few { "a line a scene" } else { typical };
     panel.title(sketch, &format!("Error in {words} at the end [{unit}], {which}"));
+}
+
+/// The axes that hold all errors.
+fn axes(curves: &[Curve], frame: Frame) -> Panel {
+    let rungs = || curves.iter().flat_map(|curve| &curve.rungs);
+    let (left, right) = bounds(&rungs().map(|rung| rung.step).collect::<Vec<_>>());
+    let errors: Vec<f64> = rungs().map(|rung| rung.error).filter(|error| error.is_finite()).collect();
+    let (low, high) = bounds(&errors);
+    let (x, y) = (Axis::logarithmic(left - 0.1, right + 0.1, 6), Axis::logarithmic(low - 0.5, high + 0.5, 8));
+    Panel { frame, x, y }
 }
 
 /// The largest |Ω| of the reference [rad/s]; `None` without evidence, and where nothing turns.
