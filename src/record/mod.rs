@@ -13,6 +13,7 @@ mod ditto;
 mod engines;
 mod evidence;
 mod findings;
+mod nearby;
 mod numbers;
 mod packed;
 #[cfg(feature = "cli")]
