@@ -58,14 +58,13 @@ pub(super) fn draw_errors(
     panel.draw_frame(sketch);
     panel.label_x(sketch, if spins.is_some() { "step h × largest Ω [rad]" } else { "step h [s]" });
     panel.label_y(sketch);
-    let unit = records
-        .orders
-        .iter()
-        .find(|row| row.quantity == survey::base(shown.1))
-        .map_or("rad", |row| row.unit.as_str());
-    let words = survey::quantity_words(shown.1);
-    let which = if few { "a line a scene" } else { typical };
-    panel.title(sketch, &format!("Error in {words} at the end [{unit}], {which}"));
+    panel.title(sketch, &title(records, shown.1, if few { "a line a scene" } else { typical }));
+}
+
+fn title(records: &Records, quantity: &str, which: &str) -> String {
+    let own = records.orders.iter().find(|row| row.quantity == survey::base(quantity));
+    let unit = own.map_or("rad", |row| row.unit.as_str());
+    format!("Error in {} at the end [{unit}], {which}", survey::quantity_words(quantity))
 }
 
 /// The axes that hold all errors.
