@@ -1,6 +1,6 @@
 //! The table `[body]` of a scene file: mass points in any frame, or a mass and an inertia.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
 use super::SceneError;
 use super::table::Table;
@@ -63,7 +63,7 @@ fn mass_point(item: &Value) -> Result<MassPoint, SceneError> {
 fn from_inertia(table: &Table, inertia: &Value, pivot: Option<Vector3<f64>>) -> Result<Given, SceneError> {
     let mass = table.required("mass")?.positive()?;
     let unphysical = table.get("unphysical_inertia").map_or(Ok(false), |flag| flag.flag())?;
-    let body = Body::from_inertia(mass, matrix(inertia)?, pivot, unphysical).map_err(|error| {
+    let body = Body::from_inertia(mass, inertia.matrix("three principal moments, or three rows of three numbers")?, pivot, unphysical).map_err(|error| {
         let place = match error {
             BodyError::Asymmetric { row, column, .. } => entry_of(inertia, row, column),
             _ => None,
@@ -71,23 +71,6 @@ fn from_inertia(table: &Table, inertia: &Value, pivot: Option<Vector3<f64>>) -> 
         place.as_ref().unwrap_or(inertia).refuse(advised(&error))
     })?;
     Ok(Given { body, center: Vector3::zeros(), origin: pivot.unwrap_or_default() })
-}
-
-/// Principal moments, or three rows.
-fn matrix(inertia: &Value) -> Result<Matrix3<f64>, SceneError> {
-    let what = "three principal moments, or three rows of three numbers";
-    let items = inertia.list(what)?;
-    if !items.iter().any(Value::is_list) {
-        return inertia.numbers::<3>(what).map(|moments| Matrix3::from_diagonal(&Vector3::from(moments)));
-    }
-    if items.len() != 3 {
-        return Err(inertia.expected(what));
-    }
-    let mut matrix = Matrix3::zeros();
-    for (row, item) in items.iter().enumerate() {
-        matrix.set_row(row, &item.vector()?.transpose());
-    }
-    Ok(matrix)
 }
 
 fn entry_of<'t>(inertia: &Value<'t>, row: usize, column: usize) -> Option<Value<'t>> {

@@ -6,7 +6,7 @@ use super::SceneError;
 use super::table::Table;
 use super::value::Value;
 use super::wording;
-use crate::model::forces::{Argument, Attachment, Described, Kind, Law, Parameter, TorqueAxes};
+use crate::model::forces::{Argument, Attachment, Described, Kind, Law, Parameter};
 
 /// Reads one law. `origin` is the origin of the body in the frame of its points [m].
 pub(super) fn read(entry: &Value, origin: &Vector3<f64>) -> Result<Law, SceneError> {
@@ -67,8 +67,9 @@ fn argument(table: &Table, parameter: &Parameter, origin: &Vector3<f64>) -> Resu
     Ok(match parameter.kind {
         Kind::Vector if parameter.is_direction() => Argument::Vector(value.direction()?),
         Kind::Vector => Argument::Vector(value.vector()?),
+        Kind::Matrix => Argument::Matrix(value.matrix("three numbers, or three rows of three numbers")?),
         Kind::PerPoint => Argument::PerPoint(value.per_point()?),
-        Kind::Axes => Argument::Axes(axes(&value)?),
+        Kind::Axes => Argument::Axes(value.axes()?),
         Kind::Number | Kind::Attachment => Argument::Number(value.number()?),
     })
 }
@@ -84,10 +85,4 @@ fn attachment(table: &Table, origin: &Vector3<f64>) -> Result<Attachment, SceneE
             Err(table.refuse(point, message))
         }
     }
-}
-
-fn axes(value: &Value) -> Result<TorqueAxes, SceneError> {
-    let word = value.text()?;
-    let named = TorqueAxes::ALL.into_iter().find(|axes| axes.word() == word);
-    named.ok_or_else(|| value.expected("\"world\" or \"body\""))
 }

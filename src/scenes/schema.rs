@@ -49,6 +49,13 @@ fn vector(description: &str) -> Value {
     json!({"allOf": [{"$ref": "#/definitions/vector"}], "description": description})
 }
 
+/// Three numbers on the diagonal, or three rows.
+fn matrix(description: &str) -> Value {
+    let rows =
+        json!({"type": "array", "items": {"$ref": "#/definitions/vector"}, "minItems": 3, "maxItems": 3});
+    json!({"oneOf": [{"$ref": "#/definitions/vector"}, rows], "description": description})
+}
+
 fn body() -> Value {
     let mass = json!({"type": "number", "exclusiveMinimum": 0, "description": "kg"});
     let point = json!({
@@ -57,8 +64,6 @@ fn body() -> Value {
         "required": ["mass", "position"],
         "properties": {"mass": mass, "position": vector("m; body axes, in any frame")},
     });
-    let rows =
-        json!({"type": "array", "items": {"$ref": "#/definitions/vector"}, "minItems": 3, "maxItems": 3});
     json!({
         "type": "object",
         "additionalProperties": false,
@@ -69,10 +74,7 @@ fn body() -> Value {
         "properties": {
             "points": {"type": "array", "items": point, "minItems": 1},
             "mass": mass,
-            "inertia": {
-                "oneOf": [{"$ref": "#/definitions/vector"}, rows],
-                "description": "kg m²; principal moments or three rows, about the centre of mass, body axes",
-            },
+            "inertia": matrix("kg m²; principal moments or three rows, about the centre of mass, body axes"),
             "unphysical_inertia": {
                 "type": "boolean",
                 "description": "admits moments that no positive masses have",
@@ -83,15 +85,35 @@ fn body() -> Value {
 }
 
 fn initial() -> Value {
+    let euler = json!({
+        "type": "object",
+        "additionalProperties": false,
+        "required": ["euler", "sequence", "unit"],
+        "properties": {
+            "euler": vector("three angles, one after the other"),
+            "sequence": {"type": "string", "pattern": "^[xyz]{3}$", "description": "the axis of each"},
+            "axes": {"enum": TorqueAxes::ALL.map(TorqueAxes::word), "default": "body",
+                "description": "axes of the body turn along, axes of the world stay"},
+            "unit": {"enum": ["deg", "rad"]},
+        },
+    });
+    let quaternion = described(numbers(4), "w, x, y, z; a unit quaternion");
+    let pairs = |[a, b]: [&str; 2]| json!({"required": [a, b]});
+    let spins = [
+        ["angular_velocity", "angular_momentum"],
+        ["angular_velocity", "angular_velocity_body"],
+        ["angular_velocity_body", "angular_momentum"],
+    ];
     json!({
         "type": "object",
         "additionalProperties": false,
-        "not": {"required": ["angular_velocity", "angular_momentum"]},
+        "not": {"anyOf": spins.map(pairs)},
         "properties": {
             "position": vector("m; the centre of mass, world"),
-            "orientation": described(numbers(4), "w, x, y, z; body axes to world axes; a unit quaternion"),
+            "orientation": {"oneOf": [quaternion, euler], "description": "takes body axes to world axes"},
             "velocity": vector("m/s; of the centre of mass, world"),
             "angular_velocity": vector("rad/s; world"),
+            "angular_velocity_body": vector("rad/s; body axes"),
             "angular_momentum": vector("kg m²/s; world, about the centre of mass or the pivot"),
         },
     })
@@ -130,6 +152,7 @@ fn of_parameter(parameter: &Parameter, key: &str) -> Value {
     let mut value = match parameter.kind {
         Kind::Number => described(json!({"type": "number"}), &description),
         Kind::Vector => vector(&description),
+        Kind::Matrix => matrix(&description),
         Kind::PerPoint => {
             let list = json!({"type": "array", "items": {"type": "number"}, "minItems": 1});
             described(json!({"oneOf": [{"type": "number"}, list]}), &description)
@@ -154,6 +177,9 @@ pub(crate) fn to_json(argument: &Argument) -> Value {
     match argument {
         Argument::Number(value) | Argument::PerPoint(PerPoint::Same(value)) => json!(value),
         Argument::PerPoint(PerPoint::Each(values)) => json!(values),
+        Argument::Matrix(m) => {
+            json!([0, 1, 2].map(|i| [m[(i, 0)], m[(i, 1)], m[(i, 2)]]))
+        }
         Argument::Vector(v) | Argument::Attachment(Attachment::At(v)) => json!([v.x, v.y, v.z]),
         Argument::Attachment(Attachment::Point(index)) => json!(index),
         Argument::Axes(axes) => json!(axes.word()),

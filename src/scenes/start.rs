@@ -8,7 +8,7 @@ use super::table::Table;
 use super::value::Value;
 use super::wording;
 use crate::model::body::{Body, Shape};
-use crate::model::forces::{Kind, Law};
+use crate::model::forces::{Kind, Law, TorqueAxes};
 use crate::model::{Spin, System, SystemError};
 use crate::rotation::{self, Rotation};
 
@@ -17,7 +17,13 @@ const TOLERANCE: f64 = 1e-9;
 
 /// The keys of `[initial]`.
 pub(super) const KEYS: &[&str] =
-    &["position", "orientation", "velocity", "angular_velocity", "angular_momentum"];
+    &["position", "orientation", "velocity", "angular_velocity", "angular_velocity_body", "angular_momentum"];
+
+/// The keys that say how the body turns, of which a scene gives one.
+const SPINS: [&str; 3] = ["angular_velocity", "angular_velocity_body", "angular_momentum"];
+
+/// The keys of an orientation that is given by Euler angles.
+pub(super) const EULER: &[&str] = &["euler", "sequence", "axes", "unit"];
 
 /// Puts the body under its laws from its start. `initial` is the table where there is one, `entries` the tables
 /// of the laws.
@@ -31,18 +37,19 @@ pub(super) fn system(
     let get = |key| initial.and_then(|table| table.get(key));
     let vector = |key| get(key).map(|value| value.vector()).transpose();
     if let Some(table) = initial {
-        table.not_both("angular_velocity", "angular_momentum")?;
+        table.one_of(&SPINS)?;
     }
     let position = vector("position")?.unwrap_or(given.center);
     let orientation =
         get("orientation").map_or(Ok(Rotation::identity()), |value| read_orientation(&value))?;
     let velocity = vector("velocity")?;
-    let spin = match (vector("angular_velocity")?, vector("angular_momentum")?) {
-        (_, Some(momentum)) => Spin::Momentum(momentum),
-        (Some(spin), None) => Spin::Velocity(spin),
-        (None, None) => Spin::Velocity(Vector3::zeros()),
+    let key_of_spin = SPINS.into_iter().find(|key| get(key).is_some()).unwrap_or(SPINS[0]);
+    let given_spin = vector(key_of_spin)?.unwrap_or_default();
+    let spin = match key_of_spin {
+        "angular_momentum" => Spin::Momentum(given_spin),
+        "angular_velocity_body" => Spin::Velocity(orientation * given_spin),
+        _ => Spin::Velocity(given_spin),
     };
-    let key_of_spin = if matches!(spin, Spin::Momentum(_)) { "angular_momentum" } else { "angular_velocity" };
     let place = get(key_of_spin);
     if let (Some(place), Spin::Velocity(spin)) = (&place, &spin) {
         check_spin(place, &given.body, &orientation, spin)?;
@@ -58,6 +65,9 @@ pub(super) fn system(
 }
 
 fn read_orientation(value: &Value) -> Result<Rotation, SceneError> {
+    if value.is_table() {
+        return read_euler(&value.table(EULER)?);
+    }
     let given: Vector4<f64> = value.quaternion()?;
     let norm = given.norm();
     if (norm - 1.0).abs() <= TOLERANCE {
@@ -73,6 +83,27 @@ fn read_orientation(value: &Value) -> Result<Rotation, SceneError> {
     Err(value.refuse(format!(
         "a quaternion of length {norm:?} is no orientation, which needs length 1 to 1e-9: write orientation = {instead}"
     )))
+}
+
+/// Three angles, and the axes that they are about.
+fn read_euler(table: &Table) -> Result<Rotation, SceneError> {
+    let angles = table.required("euler")?.vector()?;
+    let sequence = table.required("sequence")?;
+    let letters: Vec<usize> = sequence.text()?.chars().filter_map(|letter| "xyz".find(letter)).collect();
+    let axes = <[usize; 3]>::try_from(letters).ok().filter(|axes| {
+        axes[0] != axes[1] && axes[1] != axes[2] && sequence.text().is_ok_and(|text| text.len() == 3)
+    });
+    let Some(axes) = axes else {
+        return Err(sequence.expected("three letters of x, y, z, no two alike side by side"));
+    };
+    let unit = table.required("unit")?;
+    let factor = match unit.text()? {
+        "deg" => 1f64.to_radians(),
+        "rad" => 1.0,
+        _ => return Err(unit.expected("\"deg\" or \"rad\"")),
+    };
+    let of_body = table.get("axes").map_or(Ok(TorqueAxes::Body), |value| value.axes())? == TorqueAxes::Body;
+    Ok(rotation::euler((angles * factor).into(), axes, of_body))
 }
 
 /// Refuses a spin that the body does not have: of a point, or of a rod about itself.

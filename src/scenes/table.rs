@@ -76,6 +76,12 @@ impl<'t> Table<'t> {
         self.get(key).map(|value| value.text()).transpose()
     }
 
+    /// Refuses two of some keys that say the same thing.
+    pub fn one_of(&self, keys: &[&str]) -> Result<(), SceneError> {
+        let mut pairs = keys.iter().enumerate().flat_map(|(i, a)| keys[..i].iter().map(move |b| (a, b)));
+        pairs.try_for_each(|(a, b)| self.not_both(a, b))
+    }
+
     /// Refuses two keys that say the same thing; the second one in the file is named.
     pub fn not_both(&self, a: &str, b: &str) -> Result<(), SceneError> {
         let start = |key: &str| self.entries.get(key).map(|value| value.span().start);

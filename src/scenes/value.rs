@@ -1,13 +1,13 @@
 //! A value of a scene file together with the place it stands at, so that what is wrong with it can be said.
 
-use nalgebra::{Vector3, Vector4};
+use nalgebra::{Matrix3, Vector3, Vector4};
 use toml::Spanned;
 use toml::de::{DeInteger, DeValue};
 
 use super::SceneError;
 use super::table::Table;
 use super::wording;
-use crate::model::forces::PerPoint;
+use crate::model::forces::{PerPoint, TorqueAxes};
 use crate::rotation;
 
 /// A scene file and its name.
@@ -101,6 +101,18 @@ impl<'t> Value<'t> {
         }
     }
 
+    /// World or body axes.
+    pub fn axes(&self) -> Result<TorqueAxes, SceneError> {
+        let word = self.text()?;
+        let named = TorqueAxes::ALL.into_iter().find(|axes| axes.word() == word);
+        named.ok_or_else(|| self.expected("\"world\" or \"body\""))
+    }
+
+    /// Whether a table stands here.
+    pub fn is_table(&self) -> bool {
+        matches!(self.value.get_ref(), DeValue::Table(_))
+    }
+
     /// Whether a list stands here.
     pub fn is_list(&self) -> bool {
         matches!(self.value.get_ref(), DeValue::Array(_))
@@ -134,6 +146,22 @@ impl<'t> Value<'t> {
     /// Three numbers.
     pub fn vector(&self) -> Result<Vector3<f64>, SceneError> {
         self.numbers::<3>("a list of three numbers").map(Vector3::from)
+    }
+
+    /// Three numbers on a diagonal, or three rows; `what` says what they are.
+    pub fn matrix(&self, what: &str) -> Result<Matrix3<f64>, SceneError> {
+        let items = self.list(what)?;
+        if !items.iter().any(Value::is_list) {
+            return self.numbers::<3>(what).map(|moments| Matrix3::from_diagonal(&Vector3::from(moments)));
+        }
+        if items.len() != 3 {
+            return Err(self.expected(what));
+        }
+        let mut matrix = Matrix3::zeros();
+        for (row, item) in items.iter().enumerate() {
+            matrix.set_row(row, &item.vector()?.transpose());
+        }
+        Ok(matrix)
     }
 
     /// Four numbers.

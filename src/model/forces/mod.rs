@@ -17,11 +17,15 @@ mod gravity_gradient;
 mod ground;
 mod law;
 mod lorentz;
+mod mass_center_gravity;
+mod orbiting_dipole;
 mod parameter;
 mod per_point;
 mod pose;
+mod rotational_damping;
 mod spring;
 mod torque;
+mod wheels;
 
 pub use argument::{Argument, Kind};
 pub use central_gravity::CentralGravity;
@@ -33,11 +37,15 @@ pub use ground::Ground;
 pub use law::Described;
 pub(crate) use law::{ALONG_ROD, Acts};
 pub use lorentz::Lorentz;
+pub use mass_center_gravity::MassCenterGravity;
+pub use orbiting_dipole::OrbitingDipole;
 pub use parameter::{Dimension, Nature, Parameter};
 pub use per_point::PerPoint;
 pub(crate) use pose::{Arms, Cloud, Load, Pose};
+pub use rotational_damping::RotationalDamping;
 pub use spring::{Attachment, Spring};
 pub use torque::{Torque, TorqueAxes};
+pub use wheels::Wheels;
 
 use std::convert::Infallible;
 
@@ -203,6 +211,14 @@ laws! {
     GravityGradient in gravity_gradient,
     /// A one-sided elastic plane with friction.
     Ground in ground,
+    /// τ = −C Ω.
+    RotationalDamping in rotational_damping,
+    /// τ = −Ω × R h.
+    Wheels in wheels,
+    /// τ = m × B(t).
+    OrbitingDipole in orbiting_dipole,
+    /// F = −μ M d/|d|³ on the centre of mass.
+    MassCenterGravity in mass_center_gravity,
 }
 
 impl Described {
@@ -243,7 +259,7 @@ impl<T: Real> Law<T> {
     /// Whether the point form needs the direction of the body axes.
     pub fn needs_axes(&self) -> bool {
         let in_body_axes = |(parameter, argument): (&Parameter, Argument<T>)| {
-            matches!(argument, Argument::Vector(_)) && self.in_body_axes(parameter)
+            matches!(argument, Argument::Vector(_) | Argument::Matrix(_)) && self.in_body_axes(parameter)
         };
         self.arguments().into_iter().any(in_body_axes)
     }

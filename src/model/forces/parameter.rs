@@ -89,6 +89,8 @@ pub enum Dimension {
     Force,
     /// kg m²/s².
     Torque,
+    /// kg m²/s, of rotational damping too.
+    AngularMomentum,
     /// kg/s² of a spring.
     Stiffness,
     /// kg/s of a damper and of a magnetic force.
@@ -110,6 +112,7 @@ impl Dimension {
             Dimension::Acceleration => [0, 1, 2],
             Dimension::Force => [1, 1, 2],
             Dimension::Torque => [1, 2, 2],
+            Dimension::AngularMomentum => [1, 2, 1],
             Dimension::Stiffness => [1, 0, 2],
             Dimension::Damping => [1, 0, 1],
             Dimension::Central => [0, 3, 2],
@@ -134,7 +137,7 @@ impl Nature {
 
 /// The words that the tables are written in.
 pub(super) mod row {
-    use nalgebra::Vector3;
+    use nalgebra::{Matrix3, Vector3};
 
     pub use super::Dimension::*;
     pub use super::Nature::*;
@@ -154,6 +157,10 @@ pub(super) mod row {
 
     pub const fn vector(x: f64, y: f64, z: f64) -> Argument {
         Argument::Vector(Vector3::new(x, y, z))
+    }
+
+    pub const fn diagonal(x: f64, y: f64, z: f64) -> Argument {
+        Argument::Matrix(Matrix3::new(x, 0.0, 0.0, 0.0, y, 0.0, 0.0, 0.0, z))
     }
 
     pub const fn each(value: f64) -> Argument {

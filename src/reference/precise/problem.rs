@@ -233,8 +233,8 @@ impl<'a> Place<'a> {
         scale: &'a Scale,
         matter: &'a Matter,
     ) -> Motion<'a> {
-        let Place { axes, origin, velocity, .. } = *self;
-        Motion { sheet, system, scale, matter, axes, turning: axes.turning(self.spin), origin, velocity }
+        let Place { axes, origin, velocity, spin, .. } = *self;
+        Motion { sheet, system, scale, matter, axes, turning: axes.turning(spin), origin, velocity, spin }
     }
 }
 

@@ -15,6 +15,7 @@ impl Units {
             Dimension::Acceleration => self.acceleration(),
             Dimension::Force => self.force(),
             Dimension::Torque => self.force() * self.length,
+            Dimension::AngularMomentum => self.inertia() / self.time,
             Dimension::Stiffness => self.force() / self.length,
             Dimension::Damping => self.mass / self.time,
             Dimension::Central => self.length * self.length * self.acceleration(),
