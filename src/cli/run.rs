@@ -14,6 +14,7 @@ use crate::campaign;
 use crate::model::{Snapshot, System, SystemError};
 use crate::record::{RunStatus, WholeFile, is_own_json};
 use crate::reference::precise::{self, decimal};
+use crate::rotation;
 use crate::scenes::Scene;
 use crate::simulate::{Arithmetic, Contestant, Form, Outcome, Plan, Precision};
 
@@ -117,12 +118,24 @@ fn run_in<T: Written>(options: &Options, quiet: bool) -> Result<u8, Failure> {
     };
     let heading = heading::<T>(options.format, &scene.name, contestant.card.name, model, &plan);
     let mut writer =
-        StateWriter { sink, system: &system, plan, count: 0, failed: None, format: options.format, heading };
+        StateWriter {
+            sink,
+            system: &system,
+            plan,
+            count: 0,
+            fastest: 0.0,
+            failed: None,
+            format: options.format,
+            heading,
+        };
     let outcome = contestant.stream_in(&system, form, &plan, &mut |snapshot| writer.push(snapshot));
     if let Some(reason) = outcome.refusal() {
         return Err(cannot(reason));
     }
     writer.close(&outcome).map_err(fail)?;
+    if let Some(warning) = coarse(&plan, writer.fastest).filter(|_| !quiet) {
+        eprintln!("polhode: warning: {warning}");
+    }
     if let Some(file) = file {
         file.finish()?;
     }
@@ -130,6 +143,21 @@ fn run_in<T: Written>(options: &Options, quiet: bool) -> Result<u8, Failure> {
         eprintln!("polhode: {} in {}: {broken}", contestant.card.name, scene.name);
     }
     Ok(u8::from(outcome.broken.is_some()))
+}
+
+/// Angle of a step above which `run` warns [rad]: an order is seen below it, where a step is a small part of a turn.
+const COARSE: f64 = 1.0;
+
+/// What is to be said of steps in which the body turns far, by the fastest spin of the states written.
+fn coarse(plan: &Plan, fastest: f64) -> Option<String> {
+    let angle = fastest * plan.step;
+    (angle > COARSE).then(|| {
+        format!(
+            "a step of {} s turns the body by up to {angle:.3} rad; --step {:.3e} keeps it below {COARSE} rad",
+            plan.step,
+            COARSE / fastest
+        )
+    })
 }
 
 /// Whether a file begins like one of this command.
@@ -218,6 +246,8 @@ struct StateWriter<'a, T: Written> {
     system: &'a System<T>,
     plan: Plan,
     count: u64,
+    /// Largest |Ω| of the states [rad/s].
+    fastest: f64,
     failed: Option<io::Error>,
     format: Format,
     /// What stands before the first state, until it is written.
@@ -255,6 +285,7 @@ impl<T: Written> StateWriter<'_, T> {
             crate::interrupt::request();
         }
         self.count += 1;
+        self.fastest = self.fastest.max(rotation::length(&snapshot.angular_velocity).to_f64());
     }
 
     fn write(&mut self, s: &Snapshot<T>) -> io::Result<()> {

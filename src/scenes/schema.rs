@@ -6,6 +6,9 @@ use serde_json::{Map, Value, json};
 
 use crate::model::forces::{Argument, Attachment, Described, Kind, Law, Parameter, PerPoint, TorqueAxes};
 
+/// The title by which a schema of this program is known.
+pub(crate) const SCHEMA_TITLE: &str = "A scene of Polhode";
+
 /// The schema of a scene file.
 pub fn schema() -> Value {
     let reason = json!({"type": "string", "pattern": "\\S"});
@@ -16,7 +19,7 @@ pub fn schema() -> Value {
     definitions.insert("vector".to_owned(), numbers(3));
     json!({
         "$schema": "http://json-schema.org/draft-07/schema#",
-        "title": "A scene of Polhode",
+        "title": SCHEMA_TITLE,
         "type": "object",
         "additionalProperties": false,
         "required": ["name", "duration", "body"],
@@ -69,10 +72,12 @@ fn body() -> Value {
         "additionalProperties": false,
         "oneOf": [
             {"required": ["points"], "not": {"anyOf": [{"required": ["mass"]}, {"required": ["unphysical_inertia"]}]}},
-            {"required": ["mass", "inertia"]},
+            {"required": ["mass", "inertia"], "not": {"required": ["massless"]}},
         ],
         "properties": {
             "points": {"type": "array", "items": point, "minItems": 1},
+            "massless": {"type": "array", "items": {"$ref": "#/definitions/vector"}, "minItems": 1,
+                "description": "m; points that carry forces alone, in the frame of the points, counted on after them"},
             "mass": mass,
             "inertia": matrix("kg m²; principal moments or three rows, about the centre of mass, body axes"),
             "unphysical_inertia": {

@@ -129,15 +129,13 @@ fn names_and_paths_are_told_apart() {
     let scene = Scene::find(&path.to_string_lossy()).expect("a scene");
     assert!(!scene.built_in && scene.name == "user-scene");
     std::fs::write(&path, b"name = \"a\"\ntitle = \"\xff\"\n").expect("written");
-    let Err(SceneError::Content { line: 2, message, .. }) = Scene::find(&path.to_string_lossy()) else {
-        panic!("read")
-    };
-    assert!(message.contains("UTF-8"));
+    let Err(SceneError::Content { faults, .. }) = Scene::find(&path.to_string_lossy()) else { panic!("read") };
+    assert!(faults.len() == 1 && faults[0].line == 2 && faults[0].message.contains("UTF-8"), "{faults:?}");
 }
 
 #[test]
 fn lines_are_counted_the_same_under_windows_line_ends() {
     let text = format!("{HEAD}{POINTS}[initial]\nvelocity = 1\n").replace('\n', "\r\n");
-    let Err(SceneError::Content { line, .. }) = Scene::parse(&text, "user.toml") else { panic!("read") };
-    assert_eq!(line, 10);
+    let Err(SceneError::Content { faults, .. }) = Scene::parse(&text, "user.toml") else { panic!("read") };
+    assert_eq!(faults.iter().map(|fault| fault.line).collect::<Vec<_>>(), [10]);
 }

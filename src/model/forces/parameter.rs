@@ -67,6 +67,8 @@ pub enum Nature {
     Axis,
     /// The distance of a plane from the origin of the world, along the direction that is the law's parameter before it.
     Height,
+    /// A time at which the law sets in or ends.
+    Jump,
     /// A word, the same in every world.
     Word,
 }
@@ -79,6 +81,8 @@ pub enum Dimension {
     Pure,
     /// m.
     Length,
+    /// s.
+    Time,
     /// 1/s.
     Frequency,
     /// m/s.
@@ -107,6 +111,7 @@ impl Dimension {
         match self {
             Dimension::Pure => [0, 0, 0],
             Dimension::Length => [0, 1, 0],
+            Dimension::Time => [0, 0, -1],
             Dimension::Frequency => [0, 0, 1],
             Dimension::Velocity => [0, 1, 1],
             Dimension::Acceleration => [0, 1, 2],
@@ -130,6 +135,7 @@ impl Nature {
             | Nature::Body(dimension)
             | Nature::Stated(dimension) => dimension,
             Nature::Place | Nature::Height => Dimension::Length,
+            Nature::Jump => Dimension::Time,
             Nature::Direction | Nature::Axis | Nature::Word => Dimension::Pure,
         }
     }

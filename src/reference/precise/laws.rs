@@ -15,7 +15,7 @@ use super::triple::{Columns, Triple};
 use crate::model::System;
 use crate::model::forces::{
     Attachment, Dipole, GravityGradient, Law, Lorentz, OrbitingDipole, PerPoint, RotationalDamping, Spring, Torque,
-    TorqueAxes, Wheels,
+    TorqueAxes, TorquePulse, Wheels,
 };
 
 /// cos ωt and sin ωt.
@@ -60,6 +60,7 @@ pub(super) fn rate(law: &Law) -> DoubleDouble {
         Law::Gravity(_) | Law::Spring(_) | Law::Drag(_) | Law::CentralGravity(_) => DoubleDouble::ZERO,
         Law::Lorentz(_) | Law::Dipole(_) | Law::Ground(_) => DoubleDouble::ZERO,
         Law::RotationalDamping(_) | Law::Wheels(_) | Law::MassCenterGravity(_) => DoubleDouble::ZERO,
+        Law::TorquePulse(_) => DoubleDouble::ZERO,
     }
 }
 
@@ -104,6 +105,7 @@ impl<'a> Motion<'a> {
             Law::Torque(law) => torque(self.torque(law, phase)),
             Law::Dipole(dipole) => torque(self.dipole(dipole)),
             Law::OrbitingDipole(dipole) => torque(self.orbiting_dipole(dipole, phase)),
+            Law::TorquePulse(pulse) => torque(self.pulse(pulse)),
             Law::RotationalDamping(damping) => torque(self.damping(damping)),
             Law::Wheels(wheels) => torque(self.wheels(wheels)),
             Law::GravityGradient(gradient) => torque(self.gradient(gradient, phase)),
@@ -196,6 +198,16 @@ impl<'a> Motion<'a> {
         match law.axes {
             TorqueAxes::World => torque,
             TorqueAxes::Body => self.axes.times(torque),
+        }
+    }
+
+    /// A constant, or nothing: a tape holds for the time between two jumps.
+    fn pulse(&self, pulse: &TorquePulse) -> Triple<'a> {
+        let acts = pulse.start == f64::NEG_INFINITY && pulse.end == f64::INFINITY;
+        match pulse.axes {
+            _ if !acts => Triple::zero(self.sheet),
+            TorqueAxes::World => self.constant(&pulse.torque, [1, 2, -2]),
+            TorqueAxes::Body => self.in_body(&pulse.torque, [1, 2, -2]),
         }
     }
 

@@ -10,6 +10,7 @@ impl Units {
         match dimension {
             Dimension::Pure => 1.0,
             Dimension::Length => self.length,
+            Dimension::Time => self.time,
             Dimension::Frequency => 1.0 / self.time,
             Dimension::Velocity => self.velocity(),
             Dimension::Acceleration => self.acceleration(),

@@ -158,7 +158,8 @@ impl Term {
                 let weight = acceleration * (body.mass * scales.torque());
                 vec![Term::Couple(principal(body, &body.center), weight.into())]
             }
-            Law::Gravity(_) | Law::Ground(_) => Vec::new(),
+            // A law with a jump or a kink has no series and is refused before.
+            Law::Gravity(_) | Law::Ground(_) | Law::TorquePulse(_) => Vec::new(),
             Law::Dipole(Dipole { moment, field }) => {
                 vec![Term::Couple(principal(body, moment), (field * scales.torque()).into())]
             }
