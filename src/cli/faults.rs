@@ -13,7 +13,8 @@ const MOST: usize = 20;
 /// The error for stderr: in colour on a terminal, but where `NO_COLOR` is set.
 pub(super) fn shown(error: &SceneError) -> String {
     let SceneError::Content { file, text, faults } = error else { return format!("polhode: {error}") };
-    let coloured = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|v| v.is_empty());
+    let coloured =
+        std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|v| v.is_empty());
     let renderer = if coloured { Renderer::styled() } else { Renderer::plain() };
     render(&renderer, file, text, faults)
 }
@@ -38,7 +39,7 @@ fn block(renderer: &Renderer, file: &str, text: &str, fault: &Fault) -> String {
     let title = parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(": ");
     let snippet = Snippet::source(text).path(file).annotation(AnnotationKind::Primary.span(marked));
     let mut groups: Vec<Group> = vec![Level::ERROR.primary_title(title).element(snippet)];
-    let advice = if fault.advice.is_empty() { "write this instead" } else { &fault.advice };
+    let advice = if fault.advice.is_empty() { "write this instead" } else { fault.advice.as_str() };
     match &fault.mend {
         Some(mend) => {
             let patch = Patch::new(mend.span.clone(), mend.text.as_str());

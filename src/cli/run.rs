@@ -14,7 +14,6 @@ use crate::campaign;
 use crate::model::{Snapshot, System, SystemError};
 use crate::record::{RunStatus, WholeFile, is_own_json};
 use crate::reference::precise::{self, decimal};
-use crate::rotation;
 use crate::scenes::Scene;
 use crate::simulate::{Arithmetic, Contestant, Form, Outcome, Plan, Precision};
 
@@ -117,17 +116,7 @@ fn run_in<T: Written>(options: &Options, quiet: bool) -> Result<u8, Failure> {
         _ => Failure::Write { name, source },
     };
     let heading = heading::<T>(options.format, &scene.name, contestant.card.name, model, &plan);
-    let mut writer =
-        StateWriter {
-            sink,
-            system: &system,
-            plan,
-            count: 0,
-            fastest: 0.0,
-            failed: None,
-            format: options.format,
-            heading,
-        };
+    let mut writer = StateWriter::new(sink, &system, plan, options.format, heading);
     let outcome = contestant.stream_in(&system, form, &plan, &mut |snapshot| writer.push(snapshot));
     if let Some(reason) = outcome.refusal() {
         return Err(cannot(reason));
@@ -271,7 +260,17 @@ fn heading<T: Written>(format: Format, scene: &str, scheme: &str, model: &str, p
     }
 }
 
-impl<T: Written> StateWriter<'_, T> {
+impl<'a, T: Written> StateWriter<'a, T> {
+    fn new(
+        sink: &'a mut dyn Write,
+        system: &'a System<T>,
+        plan: Plan,
+        format: Format,
+        heading: String,
+    ) -> StateWriter<'a, T> {
+        StateWriter { sink, system, plan, count: 0, fastest: 0.0, failed: None, format, heading }
+    }
+
     fn open(&mut self) -> io::Result<()> {
         write!(self.sink, "{}", std::mem::take(&mut self.heading))
     }
@@ -285,7 +284,7 @@ impl<T: Written> StateWriter<'_, T> {
             crate::interrupt::request();
         }
         self.count += 1;
-        self.fastest = self.fastest.max(rotation::length(&snapshot.angular_velocity).to_f64());
+        self.fastest = self.fastest.max(snapshot.angular_velocity.norm().to_f64());
     }
 
     fn write(&mut self, s: &Snapshot<T>) -> io::Result<()> {

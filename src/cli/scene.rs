@@ -8,7 +8,6 @@ use clap::{Args, Subcommand};
 use super::Failure;
 use super::output::{Force, print};
 use crate::record::WholeFile;
-use crate::rotation;
 use crate::scenes::{self, Scene};
 
 /// Options of `polhode scene`.
@@ -67,7 +66,7 @@ fn facts(scene: &Scene) -> String {
     let system = &scene.system;
     let start = &system.start;
     let momentum = start.orientation.inverse_transform_vector(&start.angular_momentum);
-    let spin = rotation::length(&(system.body.inverse_inertia() * momentum));
+    let spin = (system.body.inverse_inertia() * momentum).norm();
     let [a, b, c] = system.body.moments.into();
     let laws: Vec<&str> = system.forces.laws().iter().map(|law| law.name()).collect();
     let laws = if laws.is_empty() { "none".to_owned() } else { laws.join(", ") };
@@ -77,14 +76,15 @@ fn facts(scene: &Scene) -> String {
         system.least().name(),
         system.body.mass,
         system.body.points.len(),
-        rotation::length(&start.angular_momentum),
+        start.angular_momentum.norm(),
         spin * scene.duration,
         scene.duration,
     )
 }
 
 fn new(name: &str, from: Option<&str>, force: Force, quiet: bool) -> Result<u8, Failure> {
-    let path = if name.ends_with(".toml") { PathBuf::from(name) } else { PathBuf::from(format!("{name}.toml")) };
+    let path =
+        if name.ends_with(".toml") { PathBuf::from(name) } else { PathBuf::from(format!("{name}.toml")) };
     let stem = path.file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
     let text = scenes::begun(stem, from)?;
     let schema = path.parent().unwrap_or(Path::new("")).join(SCHEMA);

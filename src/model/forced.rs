@@ -64,7 +64,8 @@ impl<T: Real> Model for Forced<T> {
     }
 
     fn pieces(&self) -> Vec<(T, Forced<T>)> {
-        let in_piece = |(end, forces): &(T, Forces<T>)| (*end, Forced { forces: forces.clone(), ..self.clone() });
+        let in_piece =
+            |(end, forces): &(T, Forces<T>)| (*end, Forced { forces: forces.clone(), ..self.clone() });
         self.forces.pieces().iter().map(in_piece).collect()
     }
 

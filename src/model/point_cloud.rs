@@ -180,7 +180,8 @@ impl<T: Real> Model for PointCloud<T> {
     }
 
     fn pieces(&self) -> Vec<(T, PointCloud<T>)> {
-        let in_piece = |(end, forces): &(T, Forces<T>)| (*end, PointCloud { forces: forces.clone(), ..self.clone() });
+        let in_piece =
+            |(end, forces): &(T, Forces<T>)| (*end, PointCloud { forces: forces.clone(), ..self.clone() });
         self.forces.pieces().iter().map(in_piece).collect()
     }
 

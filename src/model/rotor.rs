@@ -54,7 +54,8 @@ impl<T: Real> Model for Rotor<T> {
     }
 
     fn pieces(&self) -> Vec<(T, Rotor<T>)> {
-        let in_piece = |(end, forces): &(T, Forces<T>)| (*end, Rotor { forces: forces.clone(), ..self.clone() });
+        let in_piece =
+            |(end, forces): &(T, Forces<T>)| (*end, Rotor { forces: forces.clone(), ..self.clone() });
         self.forces.pieces().iter().map(in_piece).collect()
     }
 

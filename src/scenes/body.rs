@@ -85,7 +85,8 @@ fn places(value: &Value) -> Result<Vec<Vector3<f64>>, Fault> {
 
 fn from_inertia(table: &Table, inertia: &Value, pivot: Option<Option<Vector3<f64>>>) -> Option<Given> {
     let document = table.document();
-    let message = "stands beside inertia: give the body as points, or name the place of a spring by at = [x, y, z]";
+    let message =
+        "stands beside inertia: give the body as points, or name the place of a spring by at = [x, y, z]";
     if let Some(fault) = table.unwanted("massless", message) {
         document.note(fault);
     }

@@ -54,14 +54,14 @@ impl<'t> Document<'t> {
     }
 
     /// The text from a byte on.
-    fn from(&self, start: usize) -> &'t str {
+    fn after(&self, start: usize) -> &'t str {
         self.text.get(start..).unwrap_or_default()
     }
 
     /// The change that adds a line to the table that begins at a byte: under its header, in its braces, or at the top of the file. `None`
     /// where the table has neither, as that of a dotted key.
     pub fn addition(&self, start: usize, at_top: bool, is_empty: bool, line: &str) -> Option<Mend> {
-        let rest = self.from(start);
+        let rest = self.after(start);
         let (place, text) = match rest.bytes().next() {
             _ if at_top => (0, format!("{line}\n")),
             Some(b'[') => {
@@ -78,7 +78,7 @@ impl<'t> Document<'t> {
     /// The change that takes out an entry that stands on lines of its own.
     pub fn removal(&self, key: Range<usize>, value: Range<usize>) -> Option<Mend> {
         let line = self.text.get(..key.start)?.rfind('\n').map_or(0, |end| end + 1);
-        let rest = self.from(value.end);
+        let rest = self.after(value.end);
         let end = value.end + rest.find('\n').map_or(rest.len(), |end| end + 1);
         let between = |range: Range<usize>| self.text.get(range).unwrap_or("x").trim();
         let after = between(value.end..end);

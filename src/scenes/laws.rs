@@ -57,7 +57,8 @@ fn unknown(name: &Value, given: &str) -> Fault {
     let near = wording::nearest(given, known()).first().copied();
     let meant = near.map_or(String::new(), |near| format!("did you mean {near}? "));
     let laws = known().collect::<Vec<_>>().join(", ");
-    let fault = name.refuse(format!("no such law as \"{}\": {meant}the laws are {laws}", wording::shortened(given)));
+    let fault =
+        name.refuse(format!("no such law as \"{}\": {meant}the laws are {laws}", wording::shortened(given)));
     match near {
         Some(near) => fault.replaced(format!("\"{near}\"")),
         None => fault,
@@ -71,7 +72,7 @@ fn argument(table: &Table, parameter: &Parameter, origin: &Vector3<f64>) -> Resu
     let Some(value) = table.get(parameter.key) else {
         return match &parameter.default {
             Some(default) => Ok(default.clone()),
-            None => table.required(parameter.key).map(|_| parameter.example.clone()),
+            None => Err(table.missing(parameter.key, &format!("{} = {}", parameter.key, parameter.example))),
         };
     };
     Ok(match parameter.kind {

@@ -30,9 +30,9 @@ pub use error::SceneError;
 pub use fault::{Fault, Mend};
 pub use laws::block;
 pub use list::FILES;
-pub use schema::schema;
 #[cfg(feature = "cli")]
 pub(crate) use schema::SCHEMA_TITLE;
+pub use schema::schema;
 pub(crate) use schema::to_json;
 #[cfg(feature = "cli")]
 pub(crate) use wording::{one_of, three_nearest};
@@ -147,8 +147,7 @@ fn read(document: &Document, file: &str) -> Option<Scene> {
     errors.iter().for_each(|error| document.note(not_toml(document, error)));
     if root.get_ref().is_empty() && errors.is_empty() {
         let message = "the scene is empty";
-        let advice =
-            "write at least name = \"my-scene\", duration = 10.0 and a table [body], or see `polhode scene new`";
+        let advice = "write at least name = \"my-scene\", duration = 10.0 and a table [body], or see `polhode scene new`";
         document.note(document.fault(0..document.text.len(), "", message).advised(advice));
     }
     if !document.is_sound() {

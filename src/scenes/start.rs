@@ -115,8 +115,7 @@ fn read_orientation(value: &Value) -> Result<Rotation, Fault> {
     } else {
         "[1.0, 0.0, 0.0, 0.0]".to_string()
     };
-    let message =
-        format!("a quaternion of length {norm:?} is no orientation, which needs length 1 to 1e-9");
+    let message = format!("a quaternion of length {norm:?} is no orientation, which needs length 1 to 1e-9");
     Err(value.refuse(message).advised(format!("write orientation = {instead}")).replaced(instead))
 }
 
@@ -157,8 +156,7 @@ fn check_spin(place: &Value, body: &Body, stated: &Stated, spin: &Vector3<f64>) 
             }
             let across = spin - direction * along;
             let in_body = stated.key_of_spin == SPINS[1];
-            let across =
-                if in_body { stated.orientation.inverse_transform_vector(&across) } else { across };
+            let across = if in_body { stated.orientation.inverse_transform_vector(&across) } else { across };
             let instead = wording::list(across.as_slice());
             let message = format!(
                 "the body is a rod and cannot spin about its own line, as {along:?} rad/s of this would"
@@ -227,7 +225,7 @@ fn located(error: &SystemError, entries: &[Value], spin: Option<&Value>, whole: 
             let parameters = Law::ALL.iter().flat_map(|law| law.parameters);
             let mut lists = parameters.filter(|parameter| parameter.kind == Kind::PerPoint);
             let place = lists.find_map(|parameter| in_law(*index, parameter.key));
-            let instead = place.as_ref().and_then(|place| place.first_item()).unwrap_or("1.0".to_owned());
+            let instead = place.as_ref().and_then(Value::first_item).unwrap_or_else(|| "1.0".to_owned());
             at(place).advised(format!("write {points} values, or one number for all")).replaced(instead)
         }
         SystemError::PointIndex { index, points: 0, .. } => {

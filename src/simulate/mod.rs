@@ -274,7 +274,7 @@ fn advance_checked<T: Real>(run: &mut dyn Drive<T>, from: u64, to: u64) -> Resul
     result
 }
 
-fn run<S, M: Model>(
+fn run<S, M: Model + 'static>(
     scheme: S,
     model: &M,
     plan: &Plan,

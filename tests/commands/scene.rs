@@ -47,7 +47,8 @@ fn a_new_scene_runs_names_its_schema_and_is_kept() {
 fn all_faults_of_a_scene_are_said_with_file_and_line() {
     let folder = scratch();
     let file = folder.path().join("bad.toml").to_string_lossy().into_owned();
-    fs::write(&file, "name = \"a\"\nduration = \"ten\"\n[body]\nmass = -1.0\ninertia = [1, 2, 2.5]\n").expect("written");
+    fs::write(&file, "name = \"a\"\nduration = \"ten\"\n[body]\nmass = -1.0\ninertia = [1, 2, 2.5]\n")
+        .expect("written");
     for command in [["run", file.as_str()], ["gate", file.as_str()]] {
         let refused = polhode(&command);
         assert_eq!(code(&refused), 65);

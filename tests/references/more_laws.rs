@@ -2,7 +2,7 @@
 
 use nalgebra::Matrix3;
 use polhode::internals::rotation;
-use polhode::model::forces::{Law, MassCenterGravity, RotationalDamping, TorquePulse, TorqueAxes, Wheels};
+use polhode::model::forces::{Law, MassCenterGravity, RotationalDamping, TorqueAxes, TorquePulse, Wheels};
 use polhode::model::{Snapshot, Spin, System, difference};
 use polhode::reference::Reference;
 use polhode::scenes::Scene;
@@ -74,7 +74,8 @@ fn gravity_on_the_centre_of_mass_alone_makes_a_circle_and_no_torque() {
     let pivot = body(CLUSTER, Some(V::new(0.5, 0.0, 0.0)));
     let at = pivot.center + V::new(4.0, 0.0, 0.0);
     let still = Spin::Momentum(V::zeros());
-    let system = System::new(pivot, vec![law()], at, rotation::Rotation::identity(), V::zeros(), still).expect("a system");
+    let system = System::new(pivot, vec![law()], at, rotation::Rotation::identity(), V::zeros(), still)
+        .expect("a system");
     let reference = Reference::of(&system, 2.0, 8, None).expect("a reference");
     let energy = |s: &Snapshot| system.kinetic_energy(s) + system.potential_energy(s).expect("a potential");
     let first = energy(&reference.states[0]);
@@ -86,7 +87,8 @@ fn gravity_on_the_centre_of_mass_alone_makes_a_circle_and_no_torque() {
 /// be in the uncertainty.
 #[test]
 fn both_transcriptions_of_every_smooth_law_agree() {
-    let smooth = Law::ALL.iter().map(polhode::model::forces::Described::example).filter(|law| law.name() != "ground");
+    let smooth =
+        Law::ALL.iter().map(polhode::model::forces::Described::example).filter(|law| law.name() != "ground");
     for law in smooth {
         let name = law.name();
         let system = free(CLUSTER, [NONE, [0.25, 0.5, -0.5], [1.5, -2.0, 2.5]], vec![law]);

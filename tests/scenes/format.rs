@@ -129,7 +129,9 @@ fn names_and_paths_are_told_apart() {
     let scene = Scene::find(&path.to_string_lossy()).expect("a scene");
     assert!(!scene.built_in && scene.name == "user-scene");
     std::fs::write(&path, b"name = \"a\"\ntitle = \"\xff\"\n").expect("written");
-    let Err(SceneError::Content { faults, .. }) = Scene::find(&path.to_string_lossy()) else { panic!("read") };
+    let Err(SceneError::Content { faults, .. }) = Scene::find(&path.to_string_lossy()) else {
+        panic!("read")
+    };
     assert!(faults.len() == 1 && faults[0].line == 2 && faults[0].message.contains("UTF-8"), "{faults:?}");
 }
 

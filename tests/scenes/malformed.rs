@@ -127,7 +127,8 @@ fn faults_of(text: &str) -> Vec<Fault> {
 
 /// The text with every proposal in it, the last first.
 fn mended(text: &str, faults: &[Fault]) -> String {
-    let mut mends: Vec<_> = faults.iter().map(|f| f.mend.as_ref().unwrap_or_else(|| panic!("{f:#?}"))).collect();
+    let mut mends: Vec<_> =
+        faults.iter().map(|f| f.mend.as_ref().unwrap_or_else(|| panic!("{f:#?}"))).collect();
     mends.sort_by_key(|mend| mend.span.start);
     mends.iter().rev().fold(text.to_owned(), |text, mend| mend.apply(&text))
 }
@@ -145,7 +146,11 @@ fn every_fault_of_a_hundred_malformed_scenes_is_found_at_once_and_its_proposal_m
         assert_eq!(found, expected, "{text}\n{faults:#?}");
         several += usize::from(faults.len() > 1);
         let right = mended(&text, &faults);
-        assert!(Scene::parse(&right, "mended.toml").is_ok(), "{text}\nmended:\n{right}\n{:?}", faults_of(&right));
+        assert!(
+            Scene::parse(&right, "mended.toml").is_ok(),
+            "{text}\nmended:\n{right}\n{:?}",
+            faults_of(&right)
+        );
         for fault in &faults {
             assert!(fault.line >= 1 && text.get(fault.span.clone()).is_some(), "{fault:?}");
         }
@@ -178,7 +183,10 @@ fn what_contradicts_the_body_is_found_for_every_law_and_mended() {
     assert_eq!(keys, ["forces[1].point", "forces[3].coefficient"]);
     assert!(Scene::parse(&mended(&text, &faults), "mended.toml").is_ok());
     let rod = "name = \"rod\"\nduration = 1.0\n[body]\npoints = [{ mass = 1, position = [-1, 0, 0] }, { mass = 1, position = [1, 0, 0] }]\n[initial]\n";
-    for start in ["angular_velocity = [0.5, 0, 1]", "orientation = [0.6, 0, 0, 0.8]\nangular_velocity_body = [0.5, 0, 1]"] {
+    for start in [
+        "angular_velocity = [0.5, 0, 1]",
+        "orientation = [0.6, 0, 0, 0.8]\nangular_velocity_body = [0.5, 0, 1]",
+    ] {
         let text = format!("{rod}{start}\n");
         assert!(Scene::parse(&mended(&text, &faults_of(&text)), "mended.toml").is_ok(), "{text}");
     }

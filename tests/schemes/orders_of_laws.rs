@@ -56,7 +56,9 @@ fn orders_hold_under_every_new_law() {
 #[test]
 fn euler_angles_and_a_spin_in_body_axes_are_what_they_say() {
     let start = |text: &str| {
-        let text = format!("name = \"a\"\nduration = 1.0\n[body]\nmass = 1.0\ninertia = [1.0, 2.0, 2.5]\n[initial]\n{text}\n");
+        let text = format!(
+            "name = \"a\"\nduration = 1.0\n[body]\nmass = 1.0\ninertia = [1.0, 2.0, 2.5]\n[initial]\n{text}\n"
+        );
         Scene::parse(&text, "a.toml").expect("a scene").system.start
     };
     // A quarter about z, then a quarter about the body's own x, which is the world's y: x to y, y to z.
@@ -64,9 +66,12 @@ fn euler_angles_and_a_spin_in_body_axes_are_what_they_say() {
     let (x, y) = (nalgebra::Vector3::x(), nalgebra::Vector3::y());
     assert!((own * x - y).amax() < 1e-15 && (own * y - nalgebra::Vector3::z()).amax() < 1e-15);
     // The same two about axes that stay, in the other order.
-    let fixed = start("orientation = { euler = [0, 90, 90], sequence = \"zxz\", axes = \"world\", unit = \"deg\" }");
+    let fixed =
+        start("orientation = { euler = [0, 90, 90], sequence = \"zxz\", axes = \"world\", unit = \"deg\" }");
     assert!(fixed.orientation.angle_to(&own) < 1e-15);
-    let radians = start("orientation = { euler = [1.5707963267948966, 1.5707963267948966, 0], sequence = \"zxz\", unit = \"rad\" }");
+    let radians = start(
+        "orientation = { euler = [1.5707963267948966, 1.5707963267948966, 0], sequence = \"zxz\", unit = \"rad\" }",
+    );
     assert!(radians.orientation.angle_to(&own) < 1e-15);
     let turned = "orientation = { euler = [90, 0, 0], sequence = \"zyx\", unit = \"deg\" }\n";
     let in_body = start(&format!("{turned}angular_velocity_body = [1, 0, 2]"));

@@ -14,8 +14,8 @@ use super::sheet::{Node, Sheet};
 use super::triple::{Columns, Triple};
 use crate::model::System;
 use crate::model::forces::{
-    Attachment, Dipole, GravityGradient, Law, Lorentz, OrbitingDipole, PerPoint, RotationalDamping, Spring, Torque,
-    TorqueAxes, TorquePulse, Wheels,
+    Attachment, Dipole, GravityGradient, Law, Lorentz, OrbitingDipole, PerPoint, RotationalDamping, Spring,
+    Torque, TorqueAxes, TorquePulse, Wheels,
 };
 
 /// cos ωt and sin ωt.

@@ -3,9 +3,9 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::double_double::DoubleDouble;
+use super::pieces;
 use super::problem::{Problem, SHOWN};
 use super::taylor::Control;
-use super::pieces;
 use crate::model::{PerQuantity, Quantity, Snapshot, System};
 use crate::ode::SolverError;
 use crate::ode::run;

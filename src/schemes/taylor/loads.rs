@@ -22,7 +22,9 @@ use super::pulls::{Pull, Pulls};
 use super::series::{Curve, Curves, Sinusoid, Vector, cross_product};
 use crate::model::System;
 use crate::model::body::Body;
-use crate::model::forces::{Dipole, Gravity, Law, OrbitingDipole, RotationalDamping, Torque, TorqueAxes, Wheels};
+use crate::model::forces::{
+    Dipole, Gravity, Law, OrbitingDipole, RotationalDamping, Torque, TorqueAxes, Wheels,
+};
 use crate::ode::units::Units;
 use crate::rotation;
 
