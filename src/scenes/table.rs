@@ -72,7 +72,10 @@ impl<'t> Table<'t> {
 
     /// A value that must be there.
     pub fn required(&self, key: &str) -> Result<Value<'t>, Fault> {
-        self.get(key).ok_or_else(|| self.missing(key, &wording::line(&self.path_of(key))))
+        self.get(key).ok_or_else(|| {
+            let path = self.path_of(key);
+            self.missing(key, &wording::line(&path)).advised(format!("write {}", wording::example(&path)))
+        })
     }
 
     /// Says that a key is missing, and the line to write.
