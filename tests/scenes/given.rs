@@ -127,4 +127,23 @@ direction = [3, 0, 4]
 law = "ground"
 stiffness = 1.0e4
 friction = 0.5
+[[forces]]
+law = "rotational-damping"
+coefficients = [0.1, 0.2, 0.3]
+[[forces]]
+law = "wheels"
+momentum = [0.5, 0, 1]
+[[forces]]
+law = "orbiting-dipole"
+moment = [0, 0, 1]
+field_cosine = [0, 0.1, 0]
+frequency = 2
+[[forces]]
+law = "mass-center-gravity"
+mu = 8.0
+[[forces]]
+law = "torque-pulse"
+axes = "world"
+torque = [0, 0, 1]
+end = 2
 "#;

@@ -25,7 +25,7 @@ parameters! {
         /// Time at which it sets in
         start: T ["s"] = Jump, ZERO, number(0.0);
         /// Time at which it ends
-        end: T ["s"] = Jump, REQUIRED, number(0.5);
+        end: T ["s"] = Jump, REQUIRED, number(1.0);
     }
 }
 
