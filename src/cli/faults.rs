@@ -39,7 +39,12 @@ fn block(renderer: &Renderer, file: &str, text: &str, fault: &Fault) -> String {
     let title = parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(": ");
     let snippet = Snippet::source(text).path(file).annotation(AnnotationKind::Primary.span(marked));
     let mut groups: Vec<Group> = vec![Level::ERROR.primary_title(title).element(snippet)];
-    let advice = if fault.advice.is_empty() { "write this instead" } else { fault.advice.as_str() };
+    let removes = fault.mend.as_ref().is_some_and(|mend| mend.text.is_empty());
+    let advice = match fault.advice.as_str() {
+        "" if removes => "remove it",
+        "" => "write this instead",
+        advice => advice,
+    };
     match &fault.mend {
         Some(mend) => {
             let patch = Patch::new(mend.span.clone(), mend.text.as_str());

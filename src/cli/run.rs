@@ -142,11 +142,16 @@ fn coarse(plan: &Plan, fastest: f64) -> Option<String> {
     let angle = fastest * plan.step;
     (angle > COARSE).then(|| {
         format!(
-            "a step of {} s turns the body by up to {angle:.3} rad; --step {:.3e} keeps it below {COARSE} rad",
+            "a step of {} s turns the body by up to {angle:.3} rad; --step {} keeps it below {COARSE} rad",
             plan.step,
-            COARSE / fastest
+            format_step(COARSE / fastest)
         )
     })
+}
+
+/// A step in four digits.
+fn format_step(step: f64) -> String {
+    if (1e-3..1e4).contains(&step) { format!("{step:.4}") } else { format!("{step:.3e}") }
 }
 
 /// Whether a file begins like one of this command.

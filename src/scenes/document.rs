@@ -75,6 +75,16 @@ impl<'t> Document<'t> {
         Some(Mend { span: place..place, text })
     }
 
+    /// A word that should stand in quotes, in quotes: the whole of a value that is no number and no list.
+    pub fn quoted(&self, span: Range<usize>) -> Option<String> {
+        let word = self.text.get(span.clone())?;
+        let is_word = |letter: char| letter.is_alphanumeric() || "-_".contains(letter);
+        let whole = self.text[..span.start].trim_end_matches(' ').ends_with('=')
+            && self.after(span.end).lines().next().unwrap_or_default().trim().is_empty();
+        (whole && word.starts_with(char::is_alphabetic) && word.chars().all(is_word))
+            .then(|| format!("\"{word}\""))
+    }
+
     /// The change that takes out an entry that stands on lines of its own.
     pub fn removal(&self, key: Range<usize>, value: Range<usize>) -> Option<Mend> {
         let line = self.text.get(..key.start)?.rfind('\n').map_or(0, |end| end + 1);

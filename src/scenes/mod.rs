@@ -178,9 +178,12 @@ fn read(document: &Document, file: &str) -> Option<Scene> {
 
 fn not_toml(document: &Document, error: &toml::de::Error) -> Fault {
     let span = error.span().unwrap_or(0..0);
-    document
-        .fault(span, "", format!("not TOML: {}", error.message()))
-        .advised("write key = value lines and [table] headers, and texts in quotes")
+    let quoted = document.quoted(span.clone());
+    let fault = document.fault(span, "", format!("not TOML: {}", error.message()));
+    match quoted {
+        Some(text) => fault.advised(format!("write {text}")).replaced(text),
+        None => fault.advised("write key = value lines and [table] headers, and texts in quotes"),
+    }
 }
 
 fn read_name(whole: &Table) -> Result<String, Fault> {
@@ -194,7 +197,8 @@ fn read_name(whole: &Table) -> Result<String, Fault> {
         return Ok(name.to_owned());
     }
     let what = "a name in kebab-case, lower-case words and digits joined by '-', 100 letters at most";
-    Err(value.expected(what).replaced(format!("\"{}\"", wording::kebab(name))))
+    let instead = format!("\"{}\"", wording::kebab(name));
+    Err(value.expected(what).advised(format!("write name = {instead}")).replaced(instead))
 }
 
 fn read_reason(whole: &Table, key: &'static str) -> Result<Option<String>, Fault> {

@@ -199,4 +199,7 @@ fn every_error_of_the_syntax_is_found() {
     let faults = faults_of("name = good\nduration = = 3\n[body]\nmass = 1.0\n");
     assert!(faults.len() >= 2, "{faults:?}");
     assert_eq!(faults[0].line, 1);
+    let unquoted = GOOD.replace("\"good-scene\"", "good-scene");
+    let faults = faults_of(&unquoted);
+    assert_eq!(mended(&unquoted, &faults), GOOD);
 }
