@@ -17,7 +17,7 @@ pub struct Fault {
     /// The bytes of the text that it is about.
     pub span: Range<usize>,
     /// A change of the text that mends it, where one is known.
-    pub mend: Option<Mend>,
+    pub mend: Option<Box<Mend>>,
 }
 
 /// A text in the place of another.
@@ -38,7 +38,7 @@ impl Fault {
 
     /// The same with a text that mends it.
     pub(super) fn mended(mut self, mend: Option<Mend>) -> Fault {
-        self.mend = mend;
+        self.mend = mend.map(Box::new);
         self
     }
 
