@@ -70,9 +70,7 @@ pub fn text(family: Family, seed: u64, number: u64) -> String {
     let radians = draw.logarithmic(RADIANS.0, RADIANS.1) * family.longer();
     let duration = draw.number(radians / fastest.max(1e-3)) * units.time;
     let kink = match forces.kink {
-        true => {
-            "not_for_order = \"the force has a kink on touching and leaving the ground: no scheme keeps its order across it\"\n"
-        }
+        true => "not_for_order = \"a force has a kink or a jump: no scheme keeps its order across it\"\n",
         false => "",
     };
     format!(
