@@ -8,27 +8,46 @@ use comfy_table::{ContentArrangement, Table, presets};
 
 use super::Failure;
 use super::output::{Force, print};
-use crate::log::{self, Convention, Judgement};
+use super::exit::UNDECIDED;
+use crate::log::{self, AngleUnit, Columns, Judgement, Request, Said, Sequence, TimeUnit};
 use crate::model::Quantity;
-use crate::record::{self, Records, SCHEMA};
+use crate::record::{self, Records, Ruling, SCHEMA};
 use crate::scenes::Scene;
 
 /// Options of `polhode judge`.
 #[derive(Args, Clone, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Options {
-    /// CSV with a header t,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz; columns may be missing, more are ignored
-    #[arg(value_name = "LOG.csv")]
+    /// Table of numbers with a header, as t,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz; columns may be missing, more are ignored
+    #[arg(value_name = "LOG")]
     log: PathBuf,
     /// Scene that it is a run of: a built-in name or a TOML file
     #[arg(long, value_name = "X")]
     scene: String,
-    /// Axes of wx, wy, wz
-    #[arg(long, value_enum, value_name = "AXES", default_value_t = Axes::World)]
-    angular_velocity: Axes,
-    /// What the quaternion takes to what
-    #[arg(long, value_enum, value_name = "SENSE", default_value_t = Sense::BodyToWorld)]
-    quaternion: Sense,
+    /// Which column is what: pairs as t=stamp,qw=q_w (a name or a number from 1), or a list as t,x,y,z,-,qw,qx,qy,qz
+    #[arg(long, value_name = "LIST")]
+    columns: Option<Columns>,
+    /// Unit of times [default: what the header says, else s]
+    #[arg(long, value_name = "U", value_parser = time_unit)]
+    time_unit: Option<TimeUnit>,
+    /// Unit of Euler angles and angular velocities where the header says none: rad or deg
+    #[arg(long, value_name = "U", value_parser = angle_unit)]
+    angle_unit: Option<AngleUnit>,
+    /// Sequence of Euler angles: ZYX about moving axes (yaw, pitch, roll), zyx about fixed ones
+    #[arg(long, value_name = "AXES")]
+    euler: Option<Sequence>,
+    /// Axes of wx, wy, wz [default: what the names say, else world]
+    #[arg(long, value_enum, value_name = "AXES")]
+    angular_velocity: Option<Axes>,
+    /// What the quaternion takes to what [default: body-to-world]
+    #[arg(long, value_enum, value_name = "SENSE")]
+    quaternion: Option<Sense>,
+    /// Read the log by the convention that the frame check finds
+    #[arg(long)]
+    as_found: bool,
+    /// Start the reference at a row of the log
+    #[arg(long, value_name = "ROW", num_args = 0..=1, default_missing_value = "1", require_equals = true)]
+    from_log: Option<usize>,
     /// Largest error of --quantity over the run that passes
     #[arg(long, value_name = "E", value_parser = above_zero)]
     tolerance: Option<f64>,
@@ -46,11 +65,13 @@ const EXAMPLES: &str = "\
 Examples:
   polhode judge log.csv --scene dzhanibekov
   polhode judge log.csv --scene my-body.toml --angular-velocity body --quaternion world-to-body
+  polhode judge log.txt --scene my-body.toml --columns t=stamp,qw=q_w,qx=q_x,qy=q_y,qz=q_z --time-unit ms
   polhode judge log.csv --scene dzhanibekov --tolerance 1e-3 --quantity orientation
 
 Exit code: 0 the log was judged; with --tolerance 0 only where the largest error is within it, 1 where it is
-not, and 2 where that cannot be told: columns are missing, there is no reference, or the frame check says that
-the log follows another convention than the options. 65 the file is no trajectory, 74 it cannot be read.";
+not, and 2 where that cannot be decided: columns are missing, the last row has no such quantity, there is no
+reference, or the frame check says that the log follows another convention than it was read by. 65 the file is
+no trajectory, 74 it cannot be read.";
 
 #[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
 enum Axes {
@@ -62,6 +83,20 @@ enum Axes {
 enum Sense {
     BodyToWorld,
     WorldToBody,
+}
+
+fn time_unit(text: &str) -> Result<TimeUnit, String> {
+    word(text, &TimeUnit::ALL, TimeUnit::word)
+}
+
+fn angle_unit(text: &str) -> Result<AngleUnit, String> {
+    word(text, &AngleUnit::ALL, AngleUnit::word)
+}
+
+fn word<T: Copy>(text: &str, all: &[T], word: fn(T) -> &'static str) -> Result<T, String> {
+    let words: Vec<&str> = all.iter().map(|value| word(*value)).collect();
+    let found = all.iter().copied().find(|value| word(*value) == text);
+    found.ok_or(format!("expected one of {}", words.join(", ")))
 }
 
 fn above_zero(text: &str) -> Result<f64, String> {
@@ -79,11 +114,7 @@ fn quantity(text: &str) -> Result<Quantity, String> {
 pub(super) fn judge(options: &Options) -> Result<u8, Failure> {
     options.force.try_json(options.json.as_ref())?;
     let scene = Scene::find(&options.scene)?;
-    let declared = Convention {
-        spin_in_body_axes: options.angular_velocity == Axes::Body,
-        world_to_body: options.quaternion == Sense::WorldToBody,
-    };
-    let judgement = log::judge(&options.log, &scene, declared)?;
+    let judgement = log::judge(&options.log, &scene, &request(options))?;
     let name = options.log.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
     if let Some(path) = &options.json {
         let records = Records {
@@ -91,23 +122,36 @@ pub(super) fn judge(options: &Options) -> Result<u8, Failure> {
             polhode: env!("CARGO_PKG_VERSION").to_owned(),
             complete: true,
             measurements: judgement.measurements(&scene, &name).into_iter().map(Arc::new).collect(),
-            verdicts: vec![judgement.verdict(&scene, &name)],
+            verdicts: vec![judgement.frame_verdict(&scene, &name)],
             ..Records::default()
         };
         record::write_json(path, &records)?;
     }
-    print(&in_words(&judgement, &scene, &name))?;
-    Ok(options.tolerance.map_or(0, |tolerance| ruling(&judgement, options.quantity, tolerance)))
+    let mut text = in_words(&judgement, &scene, &name);
+    let verdict = options.tolerance.map(|limit| judgement.against(options.quantity, limit));
+    if let Some(verdict) = &verdict {
+        text += &format!("{}\n", verdict.in_words());
+    }
+    print(&text)?;
+    Ok(match verdict.map(|verdict| verdict.ruling) {
+        None | Some(Ruling::Pass) => 0,
+        Some(Ruling::Fail) => 1,
+        Some(_) => UNDECIDED,
+    })
 }
 
-/// 0 within the tolerance, 1 outside, 2 where it cannot be told.
-fn ruling(judgement: &Judgement, quantity: Quantity, tolerance: f64) -> u8 {
-    let finding = judgement.findings.iter().find(|finding| finding.name == quantity.name());
-    match finding.map(|finding| &finding.value) {
-        Some(Ok(_)) if judgement.contradicted().is_some() => 2,
-        Some(Ok(value)) if value.max <= tolerance => 0,
-        Some(Ok(value)) if value.max > tolerance => 1,
-        _ => 2,
+fn request(options: &Options) -> Request {
+    Request {
+        said: Said {
+            columns: options.columns.clone(),
+            time_unit: options.time_unit,
+            angle_unit: options.angle_unit,
+            sequence: options.euler,
+        },
+        spin_in_body_axes: options.angular_velocity.map(|axes| axes == Axes::Body),
+        world_to_body: options.quaternion.map(|sense| sense == Sense::WorldToBody),
+        as_found: options.as_found,
+        from_log: options.from_log,
     }
 }
 
@@ -120,7 +164,10 @@ fn in_words(judgement: &Judgement, scene: &Scene, name: &str) -> String {
     table.set_header(["quantity", "unit", "at the end", "largest", "uncertainty"]);
     for finding in &judgement.findings {
         let cells = match &finding.value {
-            Ok(v) => [v.end, v.max, v.uncertainty].map(|number| format!("{number:.4e}")),
+            Ok(v) => {
+                let end = v.end.map_or("not in the last row".to_owned(), |end| format!("{end:.4e}"));
+                [end, format!("{:.4e}", v.max), format!("{:.4e}", v.uncertainty)]
+            }
             Err(why) => [format!("not applicable: {why}"), String::new(), String::new()],
         };
         table.add_row([finding.name.to_owned(), finding.unit.to_owned()].into_iter().chain(cells));
@@ -131,14 +178,13 @@ fn in_words(judgement: &Judgement, scene: &Scene, name: &str) -> String {
     };
     let (from, to) = judgement.span;
     let mut text = format!(
-        "{name} as a run of {}: {} rows, t = {from} … {to} s, {} s apart\n{reference}\n{}\n\n{table}\n",
+        "{name} as a run of {}: {} rows, t = {from} … {to} s, {} s apart\n{}\n{reference}\n{}\n\n{table}\n",
         scene.name,
         judgement.rows,
         judgement.spacing,
+        judgement.reading,
         judgement.frames_in_words(),
     );
-    for (word, lines) in [("hint", &judgement.hints), ("note", &judgement.notes)] {
-        lines.iter().for_each(|line| text += &format!("{word}: {line}\n"));
-    }
+    judgement.notes.iter().for_each(|line| text += &format!("note: {line}\n"));
     text
 }
