@@ -185,6 +185,11 @@ fn in_words(judgement: &Judgement, scene: &Scene, name: &str) -> String {
         judgement.reading,
         judgement.frames_in_words(),
     );
+    for explanation in &judgement.explanations {
+        let word = if explanation.is_remark() { "remark" } else { "hint" };
+        let (words, left, before) = (&explanation.words, explanation.left, explanation.before);
+        text += &format!("{word}: {words} (it leaves {left:.1e} of {before:.1e}, relative)\n");
+    }
     judgement.notes.iter().for_each(|line| text += &format!("note: {line}\n"));
     text
 }

@@ -53,8 +53,8 @@ const TIMES: [&str; 10] =
     ["t", "time", "timestamp", "timestamps", "stamp", "simtime", "elapsed", "seconds", "secs", "sec"];
 const ABOUT_TIME: [&str; 9] = ["sim", "unix", "utc", "epoch", "header", "field", "ros", "simulation", "abs"];
 /// Words of columns that are no state: a bias, an acceleration, a force.
-const OTHERS: [&str; 24] = [
-    "bias", "b", "acc", "accel", "acceleration", "a", "cov", "covariance", "std", "var", "err", "error", "force",
+const OTHERS: [&str; 23] = [
+    "bias", "acc", "accel", "acceleration", "a", "cov", "covariance", "std", "var", "err", "error", "force",
     "torque", "cmd", "ref", "des", "desired", "target", "mag", "alpha", "qacc", "gravity", "momentum",
 ];
 const SPINS: [&str; 14] = [
@@ -78,7 +78,8 @@ pub(super) fn meaning(name: &str) -> Option<Meaning> {
     take_units(&mut words, &mut units);
     let (stem, component) = split(&words)?;
     let has = |known: &[&str]| stem.iter().any(|word| known.contains(&word.as_str()));
-    if has(&OTHERS) {
+    // EuRoC writes b_w for a bias; the b at the end of omega_BN_B is its axes.
+    if has(&OTHERS) || stem.len() > 1 && stem[0] == "b" {
         return None;
     }
     let kind = kind(&stem, component)?;

@@ -32,6 +32,11 @@ impl Sequence {
         self.axes[0] != self.axes[2]
     }
 
+    /// The axis at a place.
+    pub fn axis(self, place: usize) -> usize {
+        self.axes[place]
+    }
+
     /// The place of the turn about an axis.
     pub fn place_of(self, axis: usize) -> usize {
         self.axes.iter().position(|a| *a == axis).unwrap_or(0)

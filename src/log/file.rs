@@ -77,7 +77,7 @@ pub(super) fn parse(text: &str, file: &str, said: &Said) -> Result<Log, FileErro
     units::apply(&mut log, said);
     let first = log.rows.first().map_or(lines_before + 1, |row| row.line as usize);
     finish(&mut log);
-    if log.rows.is_empty() {
+    if log.rows.iter().all(|row| row.parts == Parts::default()) {
         return Err(refuse(first, "no row has finite numbers: nothing to judge".to_owned()));
     }
     Ok(log)
@@ -250,10 +250,11 @@ fn finish(log: &mut Log) {
             ));
         }
     }
-    log.rows.retain(|row| row.time().is_finite() && row.parts != Parts::default());
+    // A row without any quantity stays: its time may be the end that is asked for.
+    log.rows.retain(|row| row.time().is_finite());
     if log.rows.len() < all {
         let count = all - log.rows.len();
-        log.notes.push(format!("{count} rows have no time or no whole quantity and were left out"));
+        log.notes.push(format!("{count} rows have no time and were left out"));
     }
     if log.rows.windows(2).any(|pair| pair[1].time() < pair[0].time()) {
         let back: Vec<&[Row]> = log.rows.windows(2).filter(|pair| pair[1].time() < pair[0].time()).collect();

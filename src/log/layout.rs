@@ -205,7 +205,7 @@ impl Reading {
     fn in_words(&self, names: &[&str]) -> String {
         let column = |(slot, name): (&Option<Slot>, &&str)| {
             let slot = (*slot)?;
-            let unit = slot.unit.filter(|unit| *unit != 1.0).map_or(String::new(), |unit| format!(" × {unit:.6}"));
+            let unit = slot.unit.filter(|unit| *unit != 1.0).map_or(String::new(), |unit| format!(" × {unit:?}"));
             let same = FIELDS[slot.field] == *name && unit.is_empty();
             Some(if same { (*name).to_owned() } else { format!("{} = {}{unit}", FIELDS[slot.field], shown(name)) })
         };

@@ -218,6 +218,17 @@ impl Reader<'_> {
         metric.measure(&sight).map(|reading| (reading.end, reading.max))
     }
 
+    /// A row as a start. An angular velocity that the log does not have is the scene's own, turned along with the body.
+    pub fn start(&self, row: &Row, own: &Snapshot) -> Snapshot {
+        let mut state = self.snapshot(row, Some(own));
+        if !row.parts.has(Part::Spin) {
+            let turn = state.orientation * own.orientation.inverse();
+            state.angular_velocity = turn * own.angular_velocity;
+            state.angular_momentum = turn * own.angular_momentum;
+        }
+        state
+    }
+
     /// A row as a state in world axes; what it does not have is the reference's.
     pub fn snapshot(&self, row: &Row, truth: Option<&Snapshot>) -> Snapshot {
         self.snapshot_under(self.declared, row, truth)

@@ -5,6 +5,7 @@
 
 mod columns;
 mod euler;
+mod explain;
 mod file;
 mod frames;
 mod layout;
@@ -21,6 +22,7 @@ pub use crate::bounded::FileError;
 use crate::scenes::Scene;
 
 pub use euler::Sequence;
+pub use explain::{Change, Explanation};
 pub use file::Said;
 pub use frames::{Convention, Fit, FrameCheck};
 pub use layout::Columns;
@@ -94,6 +96,8 @@ pub struct Judgement {
     pub declared: Convention,
     /// What it follows.
     pub frames: FrameCheck,
+    /// The fixed changes that explain the log.
+    pub explanations: Vec<Explanation>,
     /// Missing columns, gaps, rows left out.
     pub notes: Vec<String>,
 }
@@ -140,6 +144,7 @@ fn judge_log(mut log: Log, scene: &Scene, request: &Request) -> Result<Judgement
     let mut notes = std::mem::take(&mut log.notes);
     notes.extend(examined.notes);
     let (findings, frames) = compared(&log, &scene, track.as_ref(), declared, &mut notes);
+    let explanations = explanations(&Reader { log: &log, system: &scene.system, declared }, &scene);
     Ok(Judgement {
         reading: log.reading.words.clone(),
         rows: log.rows.len(),
@@ -149,8 +154,20 @@ fn judge_log(mut log: Log, scene: &Scene, request: &Request) -> Result<Judgement
         findings,
         declared,
         frames,
+        explanations,
         notes,
     })
+}
+
+/// What explains the log, where anything needs to be explained.
+fn explanations(reader: &Reader, scene: &Scene) -> Vec<Explanation> {
+    let last = reader.log.rows.iter().map(row::Row::time).fold(0.0, f64::max);
+    // A log that starts late, or in another unit of time, is looked for within twice its length or that of the scene.
+    let last = (2.0 * last).max(scene.duration).min(2.0 * LONGEST * scene.duration);
+    match Track::dense(&scene.system, last) {
+        Ok(track) => explain::explain(*reader, &track),
+        Err(_) => Vec::new(),
+    }
 }
 
 fn leave_out(log: &mut Log, keep: impl Fn(&row::Row) -> bool, why: &str) -> Result<(), String> {
@@ -212,16 +229,10 @@ fn start_at(scene: &mut Scene, log: &mut Log, row: usize, declared: Convention) 
     }
     let own = Track::of(&scene.system, &[0.0]).map_err(|error| error.to_string())?.at(0, 0.0);
     let reader = Reader { log, system: &scene.system, declared };
-    let state = reader.snapshot(&first, Some(&own));
     if let Some(part) = log.parts.each().find(|part| !first.parts.has(*part)) {
         return Err(format!("--from-log {row}: the row has no {}", part.word()));
     }
-    let mut start = state;
-    if !log.parts.has(Part::Spin) {
-        // The scene's own spin, turned along with the body.
-        start.angular_velocity = state.orientation * (own.orientation.inverse() * own.angular_velocity);
-        start.angular_momentum = state.orientation * (own.orientation.inverse() * own.angular_momentum);
-    }
+    let start = reader.start(&first, &own);
     scene.system = scene.system.started_at(&start);
     log.rows.drain(..row - 1);
     log.rows.iter_mut().for_each(|row| row.values[0] -= first.time());

@@ -20,6 +20,8 @@ pub struct Verdict {
     pub ruling: Ruling,
     /// The largest error, and its time [s].
     pub largest: Option<(f64, f64)>,
+    /// Rows that have it, and all rows.
+    pub rows: (usize, usize),
     /// Why it is inconclusive.
     pub why: Option<String>,
 }
@@ -33,9 +35,11 @@ impl Verdict {
             let sign = if self.ruling == Ruling::Inconclusive { "against" } else { sign };
             format!(": largest error {size:.4e} {unit} {sign} limit {:e} {unit}, at t = {time} s", self.limit)
         });
+        let (some, all) = self.rows;
+        let rows = if some < all { format!(" ({some} of {all} rows have it)") } else { String::new() };
         match (self.ruling, &self.why) {
-            (Ruling::Pass, _) => format!("PASS {quantity}{size}"),
-            (Ruling::Fail, _) => format!("FAIL {quantity}{size}"),
+            (Ruling::Pass, _) => format!("PASS {quantity}{size}{rows}"),
+            (Ruling::Fail, _) => format!("FAIL {quantity}{size}{rows}"),
             (_, why) => {
                 format!("UNDECIDED {quantity}{size}; {}", why.as_deref().unwrap_or("there is no number"))
             }
@@ -46,11 +50,12 @@ impl Verdict {
 impl Judgement {
     /// Holds the largest error of a quantity against a limit.
     pub fn against(&self, quantity: Quantity, limit: f64) -> Verdict {
-        let verdict = |ruling, largest, why| Verdict { quantity, limit, ruling, largest, why };
+        let finding = self.findings.iter().find(|finding| finding.name == quantity.name());
+        let rows = finding.and_then(|finding| finding.value.as_ref().ok()).map_or(0, |value| value.rows);
+        let rows = (rows, self.rows);
+        let verdict = |ruling, largest, why| Verdict { quantity, limit, ruling, largest, rows, why };
         let undecided = |largest, why: String| verdict(Ruling::Inconclusive, largest, Some(why));
-        let Some(finding) = self.findings.iter().find(|finding| finding.name == quantity.name()) else {
-            return undecided(None, "it was not measured".to_owned());
-        };
+        let Some(finding) = finding else { return undecided(None, "it was not measured".to_owned()) };
         let value = match &finding.value {
             Ok(value) => value,
             Err(why) => return undecided(None, why.clone()),
