@@ -1,6 +1,6 @@
 //! `polhode judge`: a trajectory that another program wrote.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use clap::{Args, ValueEnum};
@@ -9,9 +9,10 @@ use comfy_table::{ContentArrangement, Table, presets};
 use super::Failure;
 use super::output::{Force, print};
 use super::exit::UNDECIDED;
-use crate::log::{self, AngleUnit, Columns, Judgement, Request, Said, Sequence, TimeUnit};
+use crate::log::{self, AngleUnit, Columns, FileError, Judgement, Request, Said, Sequence, Series, TimeUnit};
 use crate::model::Quantity;
 use crate::record::{self, Records, Ruling, SCHEMA};
+use crate::report::line_chart::{Line, LineChart, LinePanel};
 use crate::scenes::Scene;
 
 /// Options of `polhode judge`.
@@ -19,8 +20,8 @@ use crate::scenes::Scene;
 #[command(after_help = EXAMPLES)]
 pub(super) struct Options {
     /// Table of numbers with a header, as t,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz; columns may be missing, more are ignored
-    #[arg(value_name = "LOG")]
-    log: PathBuf,
+    #[arg(value_name = "LOG", required = true)]
+    logs: Vec<PathBuf>,
     /// Scene that it is a run of: a built-in name or a TOML file
     #[arg(long, value_name = "X")]
     scene: String,
@@ -54,6 +55,12 @@ pub(super) struct Options {
     /// Quantity that --tolerance is about, in its SI unit
     #[arg(long, value_name = "Q", default_value = "body-point", requires = "tolerance", value_parser = quantity)]
     quantity: Quantity,
+    /// Write the errors of every row as CSV (one log)
+    #[arg(long, value_name = "FILE.csv")]
+    errors: Option<PathBuf>,
+    /// Draw the errors against time (one log)
+    #[arg(long, value_name = "FILE.png")]
+    plot: Option<PathBuf>,
     /// Write the records
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -61,12 +68,17 @@ pub(super) struct Options {
     force: Force,
 }
 
+/// Points of a line in a picture.
+const DRAWN: usize = 150;
+
 const EXAMPLES: &str = "\
 Examples:
   polhode judge log.csv --scene dzhanibekov
   polhode judge log.csv --scene my-body.toml --angular-velocity body --quaternion world-to-body
   polhode judge log.txt --scene my-body.toml --columns t=stamp,qw=q_w,qx=q_x,qy=q_y,qz=q_z --time-unit ms
   polhode judge log.csv --scene dzhanibekov --tolerance 1e-3 --quantity orientation
+  polhode judge log.csv --scene dzhanibekov --errors errors.csv --plot errors.png
+  polhode judge first.csv second.csv third.csv --scene dzhanibekov
 
 Exit code: 0 the log was judged; with --tolerance 0 only where the largest error is within it, 1 where it is
 not, and 2 where that cannot be decided: columns are missing, the last row has no such quantity, there is no
@@ -113,31 +125,99 @@ fn quantity(text: &str) -> Result<Quantity, String> {
 
 pub(super) fn judge(options: &Options) -> Result<u8, Failure> {
     options.force.try_json(options.json.as_ref())?;
-    let scene = Scene::find(&options.scene)?;
-    let judgement = log::judge(&options.log, &scene, &request(options))?;
-    let name = options.log.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-    if let Some(path) = &options.json {
-        let records = Records {
-            schema: SCHEMA.to_owned(),
-            polhode: env!("CARGO_PKG_VERSION").to_owned(),
-            complete: true,
-            measurements: judgement.measurements(&scene, &name).into_iter().map(Arc::new).collect(),
-            verdicts: vec![judgement.frame_verdict(&scene, &name)],
-            ..Records::default()
-        };
-        record::write_json(path, &records)?;
+    options.force.try_place(options.errors.as_ref(), |head| head.starts_with(Series::header().trim_end()))?;
+    options.force.try_picture(options.plot.as_deref())?;
+    if options.logs.len() > 1 && (options.errors.is_some() || options.plot.is_some()) {
+        return Err(Failure::Usage("--errors and --plot take one log".to_owned()));
     }
-    let mut text = in_words(&judgement, &scene, &name);
-    let verdict = options.tolerance.map(|limit| judgement.against(options.quantity, limit));
-    if let Some(verdict) = &verdict {
-        text += &format!("{}\n", verdict.in_words());
+    let scene = Scene::find(&options.scene)?;
+    let judged: Vec<(String, Judgement)> = options
+        .logs
+        .iter()
+        .map(|path| Ok((name_of(path), log::judge(path, &scene, &request(options))?)))
+        .collect::<Result<_, FileError>>()?;
+    if let Some(path) = &options.json {
+        record::write_json(path, &records(&judged, &scene))?;
+    }
+    for (name, judgement) in &judged {
+        write_series(options, name, judgement)?;
+    }
+    let mut text: String = judged.iter().map(|(name, judgement)| in_words(judgement, &scene, name)).collect();
+    if judged.len() > 1 {
+        text += &deviations(&judged, &scene);
+    }
+    let mut code = 0;
+    for (name, judgement) in &judged {
+        let Some(limit) = options.tolerance else { continue };
+        let verdict = judgement.against(options.quantity, limit);
+        let of = if judged.len() > 1 { format!(" in {name}") } else { String::new() };
+        text += &format!("{}{of}\n", verdict.in_words());
+        code = match (code, verdict.ruling) {
+            (1, _) | (_, Ruling::Fail) => 1,
+            (code, Ruling::Pass) => code,
+            _ => UNDECIDED,
+        };
     }
     print(&text)?;
-    Ok(match verdict.map(|verdict| verdict.ruling) {
-        None | Some(Ruling::Pass) => 0,
-        Some(Ruling::Fail) => 1,
-        Some(_) => UNDECIDED,
-    })
+    Ok(code)
+}
+
+fn name_of(path: &Path) -> String {
+    path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
+}
+
+fn records(judged: &[(String, Judgement)], scene: &Scene) -> Records {
+    let rows = |(name, judgement): &(String, Judgement)| judgement.measurements(scene, name);
+    Records {
+        schema: SCHEMA.to_owned(),
+        polhode: env!("CARGO_PKG_VERSION").to_owned(),
+        complete: true,
+        measurements: judged.iter().flat_map(rows).map(Arc::new).collect(),
+        verdicts: judged.iter().map(|(name, judgement)| judgement.frame_verdict(scene, name)).collect(),
+        ..Records::default()
+    }
+}
+
+/// The errors against time, as a table and as a picture.
+fn write_series(options: &Options, name: &str, judgement: &Judgement) -> Result<(), Failure> {
+    if let Some(path) = &options.errors {
+        record::write_whole(path, judgement.series.csv().as_bytes())?;
+    }
+    let Some(path) = &options.plot else { return Ok(()) };
+    let line = |quantity: Quantity| {
+        let points = judgement.series.largest(quantity, DRAWN);
+        let points: Vec<_> = points.into_iter().filter(|(_, error)| *error > 0.0).collect();
+        let points = points.into_iter().map(|(time, error)| (time, Some(error))).collect::<Vec<_>>();
+        let words = format!("{} [{}]", quantity.name(), quantity.unit());
+        (!points.is_empty()).then_some(Line { words, points })
+    };
+    let lines: Vec<Line> = Quantity::ALL.into_iter().filter_map(line).collect();
+    let panel = LinePanel { across: "t [s]".to_owned(), across_logarithmic: false, up: "error".to_owned(), lines };
+    let chart = LineChart {
+        title: format!("Errors of {name}"),
+        subtitle: format!("against the reference; the largest in each of {DRAWN} parts of the run"),
+        description: format!("errors of {name} against time"),
+        panels: vec![panel],
+    };
+    let png = chart.png().map_err(|error| Failure::Usage(error.to_string()))?;
+    Ok(record::write_whole(path, &png)?)
+}
+
+/// Pairwise deviations of several logs: the largest, what grows along a line, and what stays bounded.
+fn deviations(judged: &[(String, Judgement)], scene: &Scene) -> String {
+    let mut table = new_table();
+    table.set_header(["log", "other log", "quantity", "unit", "largest", "secular", "bounded", "common times"]);
+    for (index, (name, judgement)) in judged.iter().enumerate() {
+        for (other_name, other) in &judged[index + 1..] {
+            for quantity in Quantity::ALL {
+                let Some(apart) = judgement.series.deviation(&other.series, &scene.system, quantity) else { continue };
+                let numbers = [apart.largest, apart.secular, apart.bounded].map(|number| format!("{number:.4e}"));
+                let head = [name.clone(), other_name.clone(), quantity.name().into(), quantity.unit().into()];
+                table.add_row(head.into_iter().chain(numbers).chain([apart.times.to_string()]));
+            }
+        }
+    }
+    format!("pairwise deviations at common times\n{table}\n")
 }
 
 fn request(options: &Options) -> Request {
@@ -151,16 +231,22 @@ fn request(options: &Options) -> Request {
         spin_in_body_axes: options.angular_velocity.map(|axes| axes == Axes::Body),
         world_to_body: options.quaternion.map(|sense| sense == Sense::WorldToBody),
         as_found: options.as_found,
+        series: options.errors.is_some() || options.plot.is_some() || options.logs.len() > 1,
         from_log: options.from_log,
     }
 }
 
-fn in_words(judgement: &Judgement, scene: &Scene, name: &str) -> String {
+fn new_table() -> Table {
     let mut table = Table::new();
     table.load_preset(presets::UTF8_HORIZONTAL_ONLY).set_content_arrangement(ContentArrangement::Dynamic);
     if !table.is_tty() {
         table.set_width(120);
     }
+    table
+}
+
+fn in_words(judgement: &Judgement, scene: &Scene, name: &str) -> String {
+    let mut table = new_table();
     table.set_header(["quantity", "unit", "at the end", "largest", "uncertainty"]);
     for finding in &judgement.findings {
         let cells = match &finding.value {

@@ -132,7 +132,8 @@ fn relative(system: &System, grid: &[Snapshot], uncertainty: &PerQuantity<f64>) 
     2.0 * (over(Quantity::AngularVelocity) + over(Quantity::Orientation) + over(Quantity::Velocity)) + f64::EPSILON
 }
 
-fn parts_of(quantity: Quantity) -> Parts {
+/// What an error of a quantity needs.
+pub(super) fn parts_of(quantity: Quantity) -> Parts {
     Parts::of(match quantity {
         Quantity::Position => &[Part::Position],
         Quantity::Velocity => &[Part::Velocity],

@@ -11,6 +11,7 @@ mod frames;
 mod layout;
 mod measure;
 mod row;
+mod series;
 mod times;
 mod track;
 mod units;
@@ -26,6 +27,7 @@ pub use explain::{Change, Explanation};
 pub use file::Said;
 pub use frames::{Convention, Fit, FrameCheck};
 pub use layout::Columns;
+pub use series::{Deviation, Series};
 pub use units::{AngleUnit, TimeUnit};
 pub use verdict::Verdict;
 
@@ -73,6 +75,8 @@ pub struct Request {
     pub world_to_body: Option<bool>,
     /// Read the log by the convention that it follows.
     pub as_found: bool,
+    /// Keep the errors of every row.
+    pub series: bool,
     /// Row, from 1, at which the reference starts; at the scene's own start where there is none.
     pub from_log: Option<usize>,
 }
@@ -96,6 +100,8 @@ pub struct Judgement {
     pub declared: Convention,
     /// What it follows.
     pub frames: FrameCheck,
+    /// Errors of every row, where they were asked for and there is a reference.
+    pub series: Series,
     /// The fixed changes that explain the log.
     pub explanations: Vec<Explanation>,
     /// Missing columns, gaps, rows left out.
@@ -144,7 +150,12 @@ fn judge_log(mut log: Log, scene: &Scene, request: &Request) -> Result<Judgement
     let mut notes = std::mem::take(&mut log.notes);
     notes.extend(examined.notes);
     let (findings, frames) = compared(&log, &scene, track.as_ref(), declared, &mut notes);
-    let explanations = explanations(&Reader { log: &log, system: &scene.system, declared }, &scene);
+    let reader = Reader { log: &log, system: &scene.system, declared };
+    let explanations = explanations(&reader, &scene);
+    let series = match &track {
+        Ok(track) if request.series => series::series(&reader, track),
+        _ => Series::default(),
+    };
     Ok(Judgement {
         reading: log.reading.words.clone(),
         rows: log.rows.len(),
@@ -154,6 +165,7 @@ fn judge_log(mut log: Log, scene: &Scene, request: &Request) -> Result<Judgement
         findings,
         declared,
         frames,
+        series,
         explanations,
         notes,
     })
