@@ -174,8 +174,9 @@ fn judge_log(mut log: Log, scene: &Scene, request: &Request) -> Result<Judgement
 /// What explains the log, where anything needs to be explained.
 fn explanations(reader: &Reader, scene: &Scene) -> Vec<Explanation> {
     let last = reader.log.rows.iter().map(row::Row::time).fold(0.0, f64::max);
-    // A log that starts late, or in another unit of time, is looked for within twice its length or that of the scene.
-    let last = (2.0 * last).max(scene.duration).min(2.0 * LONGEST * scene.duration);
+    // A log that starts late, or in another unit of time, is looked for within twice its length or the scene's.
+    let last = if last > LONGEST * scene.duration { scene.duration } else { last.max(scene.duration) };
+    let last = 2.0 * last;
     match Track::dense(&scene.system, last) {
         Ok(track) => explain::explain(*reader, &track),
         Err(_) => Vec::new(),

@@ -1,6 +1,6 @@
 //! A thousand logs with one known change, and a thousand right ones.
 
-use crate::changed_logs::{false_alarms, tally};
+use crate::changed_logs::{false_alarms, mutate, tally};
 
 #[test]
 fn of_a_thousand_changed_logs_95_in_100_are_named_rightly_and_one_in_200_wrongly() {
@@ -11,4 +11,10 @@ fn of_a_thousand_changed_logs_95_in_100_are_named_rightly_and_one_in_200_wrongly
 #[test]
 fn a_thousand_right_logs_get_no_hint() {
     assert_eq!(false_alarms(1000), Vec::<String>::new());
+}
+
+#[test]
+fn twenty_thousand_mutated_logs_are_read_or_refused() {
+    let refused = mutate(20_000);
+    assert!(refused > 2000 && refused < 18_000, "{refused}");
 }

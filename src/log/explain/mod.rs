@@ -30,6 +30,10 @@ const ROWS: usize = 400;
 /// How much more than the best an explanation of the same rank may leave to be named beside it.
 const ALIKE: f64 = 3.0;
 
+/// Changes of axes, which a start may explain as well.
+const OF_AXES: [Change; 4] =
+    [Change::BodyAxes, Change::PermutedBoth, Change::PermutedWorld, Change::TurnedWorld];
+
 /// What may have been done to a log.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Change {
@@ -138,11 +142,10 @@ pub(super) fn explain(reader: Reader, track: &Track) -> Vec<Explanation> {
     for rank in ranks {
         let mut found = explained(rank(&case));
         if !found.is_empty() {
-            let of_axes = |e: &Explanation| matches!(e.change, Change::BodyAxes | Change::PermutedBoth | Change::PermutedWorld | Change::TurnedWorld);
-            if found.iter().any(of_axes) {
+            if found.iter().any(|explanation| OF_AXES.contains(&explanation.change)) {
                 found.extend(explained(motions::start(&case)));
             }
-            found.sort_by_key(|explanation| explanation.change);
+            found.sort_by(|a, b| a.change.cmp(&b.change).then(a.left.total_cmp(&b.left)));
             found.dedup_by_key(|explanation| explanation.change);
             return found;
         }

@@ -166,7 +166,7 @@ fn permuted(case: &Case, tried: &mut Vec<Tried>) {
             let words = format!("world axes are permuted: x, y, z of the log are {written}");
             tried.push(Tried { change: Change::PermutedWorld, words, left });
             let left = case.after(|state| Snapshot { orientation: state.orientation * turn, ..*state });
-            let words = format!("body axes are permuted: the body of the scene is turned by {}", turned(&turn));
+            let words = format!("body axes are permuted: the body of the scene is turned by {}", turned(&turn.inverse()));
             tried.push(Tried { change: Change::BodyAxes, words, left });
         }
     }
