@@ -144,6 +144,26 @@ pub(super) fn parts_of(quantity: Quantity) -> Parts {
     })
 }
 
+/// The rows of a piece that have some parts, after the samples of the reference.
+struct Whole {
+    parts: Parts,
+    states: Vec<Snapshot>,
+    reference: Reference,
+    /// The last of these rows in the piece.
+    last: Option<usize>,
+}
+
+impl Whole {
+    fn of(parts: Parts, grid: &[Snapshot], rows: &[Row], (states, truth): (&[Snapshot], &[Snapshot])) -> Whole {
+        let has = |index: &usize| parts != Parts::default() && rows[*index].parts.covers(parts);
+        let whole: Vec<usize> = (0..rows.len()).filter(has).collect();
+        let pick = |of: &[Snapshot]| grid.iter().copied().chain(whole.iter().map(|index| of[*index])).collect();
+        let (times, uncertainty, sources) = (Vec::new(), Vec::new(), Vec::new());
+        let reference = Reference { times, states: pick(truth), uncertainty, sources };
+        Whole { parts, states: pick(states), reference, last: whole.last().copied() }
+    }
+}
+
 impl Reader<'_> {
     fn parts_of_metric(&self, metric: &Metric) -> Parts {
         let free = !self.system.body.pivoted;
@@ -193,30 +213,20 @@ impl Reader<'_> {
                 readings.unit = readings.unit.max((squared.sqrt() - 1.0).abs());
             }
         }
+        let mut whole = Whole::of(Parts::default(), grid, rows, (&states, &truth));
         for (metric, extreme) in metrics().zip(&mut readings.metrics) {
             let needed = self.parts_of_metric(metric);
-            let whole: Vec<usize> = (0..rows.len()).filter(|index| rows[*index].parts.covers(needed)).collect();
-            if let Some(last) = whole.last() {
-                let pick = |of: &[Snapshot]| -> Vec<Snapshot> {
-                    grid.iter().copied().chain(whole.iter().map(|index| of[*index])).collect()
-                };
-                let (states, truth) = (pick(&states), pick(&truth));
-                let reading = self.read(metric, &states, truth);
-                if let Some((end, max)) = reading {
-                    // A metric does not say where its largest is.
-                    let rows = whole.len();
-                    extreme.join(&Extreme { max, at: f64::NAN, end, last: from + last, rows });
-                }
+            if whole.parts != needed {
+                whole = Whole::of(needed, grid, rows, (&states, &truth));
+            }
+            let sight = Sight { system: self.system, reference: &whole.reference, states: &whole.states };
+            if let (Some(last), Some(reading)) = (whole.last, metric.measure(&sight)) {
+                // A metric does not say where its largest is.
+                let (max, end, rows) = (reading.max, reading.end, whole.states.len() - grid.len());
+                extreme.join(&Extreme { max, at: f64::NAN, end, last: from + last, rows });
             }
         }
         readings
-    }
-
-    fn read(&self, metric: &Metric, states: &[Snapshot], truth: Vec<Snapshot>) -> Option<(f64, f64)> {
-        let reference =
-            Reference { times: Vec::new(), states: truth, uncertainty: Vec::new(), sources: Vec::new() };
-        let sight = Sight { system: self.system, reference: &reference, states };
-        metric.measure(&sight).map(|reading| (reading.end, reading.max))
     }
 
     /// A row as a start. An angular velocity that the log does not have is the scene's own, turned along with the body.
