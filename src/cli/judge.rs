@@ -7,8 +7,8 @@ use clap::{Args, ValueEnum};
 use comfy_table::{ContentArrangement, Table, presets};
 
 use super::Failure;
-use super::output::{Force, print};
 use super::exit::UNDECIDED;
+use super::output::{Force, print};
 use crate::log::{self, AngleUnit, Columns, FileError, Judgement, Request, Said, Sequence, Series, TimeUnit};
 use crate::model::Quantity;
 use crate::record::{self, Records, Ruling, SCHEMA};
@@ -192,7 +192,8 @@ fn write_series(options: &Options, name: &str, judgement: &Judgement) -> Result<
         (!points.is_empty()).then_some(Line { words, points })
     };
     let lines: Vec<Line> = Quantity::ALL.into_iter().filter_map(line).collect();
-    let panel = LinePanel { across: "t [s]".to_owned(), across_logarithmic: false, up: "error".to_owned(), lines };
+    let panel =
+        LinePanel { across: "t [s]".to_owned(), across_logarithmic: false, up: "error".to_owned(), lines };
     let chart = LineChart {
         title: format!("Errors of {name}"),
         subtitle: format!("against the reference; the largest in each of {DRAWN} parts of the run"),
@@ -206,12 +207,24 @@ fn write_series(options: &Options, name: &str, judgement: &Judgement) -> Result<
 /// Pairwise deviations of several logs: the largest, what grows along a line, and what stays bounded.
 fn deviations(judged: &[(String, Judgement)], scene: &Scene) -> String {
     let mut table = new_table();
-    table.set_header(["log", "other log", "quantity", "unit", "largest", "secular", "bounded", "common times"]);
+    table.set_header([
+        "log",
+        "other log",
+        "quantity",
+        "unit",
+        "largest",
+        "secular",
+        "bounded",
+        "common times",
+    ]);
     for (index, (name, judgement)) in judged.iter().enumerate() {
         for (other_name, other) in &judged[index + 1..] {
             for quantity in Quantity::ALL {
-                let Some(apart) = judgement.series.deviation(&other.series, &scene.system, quantity) else { continue };
-                let numbers = [apart.largest, apart.secular, apart.bounded].map(|number| format!("{number:.4e}"));
+                let Some(apart) = judgement.series.deviation(&other.series, &scene.system, quantity) else {
+                    continue;
+                };
+                let numbers =
+                    [apart.largest, apart.secular, apart.bounded].map(|number| format!("{number:.4e}"));
                 let head = [name.clone(), other_name.clone(), quantity.name().into(), quantity.unit().into()];
                 table.add_row(head.into_iter().chain(numbers).chain([apart.times.to_string()]));
             }

@@ -54,20 +54,67 @@ const TIMES: [&str; 10] =
 const ABOUT_TIME: [&str; 9] = ["sim", "unix", "utc", "epoch", "header", "field", "ros", "simulation", "abs"];
 /// Words of columns that are no state: a bias, an acceleration, a force.
 const OTHERS: [&str; 23] = [
-    "bias", "acc", "accel", "acceleration", "a", "cov", "covariance", "std", "var", "err", "error", "force",
-    "torque", "cmd", "ref", "des", "desired", "target", "mag", "alpha", "qacc", "gravity", "momentum",
+    "bias",
+    "acc",
+    "accel",
+    "acceleration",
+    "a",
+    "cov",
+    "covariance",
+    "std",
+    "var",
+    "err",
+    "error",
+    "force",
+    "torque",
+    "cmd",
+    "ref",
+    "des",
+    "desired",
+    "target",
+    "mag",
+    "alpha",
+    "qacc",
+    "gravity",
+    "momentum",
 ];
 const SPINS: [&str; 14] = [
-    "w", "omega", "om", "angvel", "gyro", "angular", "wbn", "wn", "wb", "spin", "angrate", "rotvel", "rates", "angv",
+    "w", "omega", "om", "angvel", "gyro", "angular", "wbn", "wn", "wb", "spin", "angrate", "rotvel", "rates",
+    "angv",
 ];
 const VELOCITIES: [&str; 11] =
     ["v", "vel", "velocity", "linvel", "linear", "twist", "u", "speed", "vn", "vcm", "velo"];
 const POSITIONS: [&str; 15] = [
-    "p", "pos", "position", "trans", "translation", "r", "loc", "location", "com", "cm", "xcm", "t", "pn", "rn",
+    "p",
+    "pos",
+    "position",
+    "trans",
+    "translation",
+    "r",
+    "loc",
+    "location",
+    "com",
+    "cm",
+    "xcm",
+    "t",
+    "pn",
+    "rn",
     "coordinate",
 ];
 const QUATERNIONS: [&str; 13] = [
-    "q", "quat", "quaternion", "orientation", "rot", "rotation", "attitude", "att", "qbn", "qn", "qb", "ori", "ep",
+    "q",
+    "quat",
+    "quaternion",
+    "orientation",
+    "rot",
+    "rotation",
+    "attitude",
+    "att",
+    "qbn",
+    "qn",
+    "qb",
+    "ori",
+    "ep",
 ];
 
 /// What a name says; `None` where it is not known.
@@ -114,11 +161,8 @@ fn kind(stem: &[String], component: Component) -> Option<Kind> {
         return Some(if numbered { Kind::Angles } else { Kind::Roll });
     }
     if has(&SPINS) || has(&["ang", "body", "rotational"]) && has(&["rate", "velocity", "vel"]) {
-        return (component != Component::Scalar || has(&QUATERNIONS)).then_some(if component == Component::Scalar {
-            Kind::Quaternion
-        } else {
-            Kind::Spin
-        });
+        return (component != Component::Scalar || has(&QUATERNIONS))
+            .then_some(if component == Component::Scalar { Kind::Quaternion } else { Kind::Spin });
     }
     if has(&QUATERNIONS) {
         return Some(Kind::Quaternion);
@@ -151,7 +195,13 @@ fn split(words: &[String]) -> Option<(Vec<String>, Component)> {
     }
     let at = last.len() - last.chars().next_back().map_or(0, char::len_utf8);
     let (head, tail) = last.split_at(at);
-    let known = [&SPINS[..], &VELOCITIES, &POSITIONS, &QUATERNIONS, &["sigma", "mrp", "euler", "eul", "qpos", "qvel"]];
+    let known = [
+        &SPINS[..],
+        &VELOCITIES,
+        &POSITIONS,
+        &QUATERNIONS,
+        &["sigma", "mrp", "euler", "eul", "qpos", "qvel"],
+    ];
     match component(tail) {
         Some(component) if known.iter().any(|known| known.contains(&head)) => {
             stem.push(head.to_owned());
@@ -218,16 +268,46 @@ fn words_of(name: &str) -> Vec<String> {
 fn take_units(words: &mut Vec<String>, units: &mut Vec<String>) {
     let unit = |word: &str| {
         let known = [
-            "deg", "degs", "degree", "degrees", "rad", "rads", "radians", "rpm", "dps", "ft", "feet", "mm", "cm", "km",
-            "m", "ms", "us", "ns", "nsec", "nanosec", "usec", "msec", "s", "rps", "mps", "fps", "min", "nanoseconds",
-            "milliseconds", "microseconds", "sec", "seconds",
+            "deg",
+            "degs",
+            "degree",
+            "degrees",
+            "rad",
+            "rads",
+            "radians",
+            "rpm",
+            "dps",
+            "ft",
+            "feet",
+            "mm",
+            "cm",
+            "km",
+            "m",
+            "ms",
+            "us",
+            "ns",
+            "nsec",
+            "nanosec",
+            "usec",
+            "msec",
+            "s",
+            "rps",
+            "mps",
+            "fps",
+            "min",
+            "nanoseconds",
+            "milliseconds",
+            "microseconds",
+            "sec",
+            "seconds",
         ];
         known.contains(&word)
     };
     let mut index = 1;
     while index < words.len() {
         // A last `s` is a component: the scalar of a quaternion.
-        let scalar = index + 1 == words.len() && words[index] == "s" && QUATERNIONS.contains(&words[0].as_str());
+        let scalar =
+            index + 1 == words.len() && words[index] == "s" && QUATERNIONS.contains(&words[0].as_str());
         if unit(&words[index]) && !scalar {
             units.push(words.remove(index));
         } else {
@@ -239,7 +319,8 @@ fn take_units(words: &mut Vec<String>, units: &mut Vec<String>) {
 /// SI units in a stated unit.
 fn factor(kind: Kind, units: &[String]) -> Option<f64> {
     let has = |names: &[&str]| units.iter().any(|unit| names.contains(&unit.as_str()));
-    let first = |table: &[(&[&str], f64)]| table.iter().find(|(names, _)| has(names)).map(|(_, factor)| *factor);
+    let first =
+        |table: &[(&[&str], f64)]| table.iter().find(|(names, _)| has(names)).map(|(_, factor)| *factor);
     match kind {
         Kind::Time => first(&[
             (&["ns", "nsec", "nanosec", "nanoseconds"], 1e-9),
@@ -312,7 +393,14 @@ mod tests {
             let found = meaning(name).map(|found| (found.kind, found.component));
             assert_eq!(found, Some((kind, component)), "{name}");
         }
-        for name in ["b_w_RS_S_x [rad s^-1]", "a_RS_S_x [m s^-2]", "comment", "ax", "altitudeMsl_ft", "speedOfSound_ft_s"] {
+        for name in [
+            "b_w_RS_S_x [rad s^-1]",
+            "a_RS_S_x [m s^-2]",
+            "comment",
+            "ax",
+            "altitudeMsl_ft",
+            "speedOfSound_ft_s",
+        ] {
             assert_eq!(meaning(name), None, "{name}");
         }
         assert_eq!(meaning("wx [deg/s]").and_then(|found| found.unit), Some(PI / 180.0));

@@ -49,9 +49,7 @@ impl Sequence {
 
     /// The rotation by angles [rad], in the order of the sequence.
     pub fn rotation(self, angles: [f64; 3]) -> Rotation {
-        let turn = |k: usize| {
-            UnitQuaternion::from_axis_angle(&Vector3::ith_axis(self.axes[k]), angles[k])
-        };
+        let turn = |k: usize| UnitQuaternion::from_axis_angle(&Vector3::ith_axis(self.axes[k]), angles[k]);
         if self.moving { turn(0) * turn(1) * turn(2) } else { turn(2) * turn(1) * turn(0) }
     }
 
@@ -70,11 +68,8 @@ impl Sequence {
             [w - q[j], q[i] + q[k] * sign, q[j] + w, q[k] * sign - q[i]]
         };
         let (half_sum, half_difference) = (b.atan2(a), d.atan2(c));
-        let mut angles = [
-            half_sum - half_difference,
-            2.0 * c.hypot(d).atan2(a.hypot(b)),
-            half_sum + half_difference,
-        ];
+        let mut angles =
+            [half_sum - half_difference, 2.0 * c.hypot(d).atan2(a.hypot(b)), half_sum + half_difference];
         if !proper {
             angles[2] *= sign;
             angles[1] -= PI / 2.0;

@@ -12,6 +12,10 @@ use crate::bounded::{self, FileError};
 
 /// Bytes that one thread reads at a time.
 const PIECE: usize = 1 << 20;
+/// Most rows: 1.2 GB of numbers.
+const MOST_ROWS: usize = 10_000_000;
+/// Most bytes of a first line.
+const MOST_OF_A_HEADER: usize = 1 << 20;
 /// Length of a quaternion below which it is none: printed to one digit, a unit quaternion keeps 0.85.
 const NO_QUATERNION: f64 = 0.1;
 
@@ -42,12 +46,22 @@ pub(super) fn parse(text: &str, file: &str, said: &Said) -> Result<Log, FileErro
         let why = format!("the file is empty: write a header {}, then rows", COLUMNS.join(","));
         return Err(refuse(1, why));
     };
+    if head.line.len() > MOST_OF_A_HEADER {
+        let why = format!("the line has more than {MOST_OF_A_HEADER} bytes, which no header has");
+        return Err(refuse(head.lines_before + 1, why));
+    }
     let reading = Reading::find(head.comment, head.line, said.columns.as_ref());
     let mut reading = reading.map_err(|why| refuse(head.lines_before + 1, why))?;
     let (after, lines_before) =
         if reading.header { (head.after, head.lines_before + 1) } else { (head.from, head.lines_before) };
     if let (Some(sequence), Some(said)) = (&mut reading.sequence, said.sequence) {
         *sequence = said;
+    }
+    if after.bytes().filter(|byte| *byte == b'\n').count() > MOST_ROWS {
+        return Err(refuse(
+            lines_before + 1,
+            format!("there are more than {MOST_ROWS} rows: write every tenth"),
+        ));
     }
     let mut rows = Vec::new();
     let mut notes = Vec::new();
@@ -69,7 +83,10 @@ pub(super) fn parse(text: &str, file: &str, said: &Said) -> Result<Log, FileErro
         before += piece.lines;
     }
     if rows.is_empty() {
-        return Err(refuse(lines_before + 1, "there is a header and no whole row: nothing to judge".to_owned()));
+        return Err(refuse(
+            lines_before + 1,
+            "there is a header and no whole row: nothing to judge".to_owned(),
+        ));
     }
     let parts = reading.parts();
     notes.extend(missing_columns(parts));
@@ -101,7 +118,7 @@ impl Head<'_> {
             let (line, after) = from.split_once('\n').unwrap_or((from, ""));
             let bare = line.trim();
             if is_comment(bare) && !is_header(bare) {
-                comment = Some(bare);
+                comment = Some(bare).filter(|bare| bare.len() <= MOST_OF_A_HEADER);
             } else if !bare.is_empty() {
                 // A header may begin with the sign of a comment.
                 let line = if is_comment(bare) { bare.trim_start_matches(['#', '%', ' ']) } else { bare };
@@ -121,6 +138,9 @@ fn is_comment(line: &str) -> bool {
 
 /// Whether a comment is a header between commas, as EuRoC and ROS write it.
 fn is_header(line: &str) -> bool {
+    if line.len() > MOST_OF_A_HEADER {
+        return false;
+    }
     let bare = line.trim_start_matches(['#', '%', ' ']);
     let names: Vec<&str> = bare.split(',').take(FIELDS.len()).collect();
     let known = names.iter().filter(|name| super::columns::meaning(name).is_some()).count();

@@ -91,7 +91,9 @@ pub(super) fn check(rows: &[Row], has: bool, known: Option<Convention>, fastest:
     let says = |pair: &&[Row]| says_something(pair, fastest);
     let pairs: Vec<&[Row]> = rows.windows(2).step_by(stride).filter(says).collect();
     if pairs.len() < FEWEST_PAIRS {
-        return FrameCheck::Nothing("fewer than three pairs of rows are less than a radian apart: the rows are too far apart to check w");
+        return FrameCheck::Nothing(
+            "fewer than three pairs of rows are less than a radian apart: the rows are too far apart to check w",
+        );
     }
     let fits = Convention::ALL.map(|convention| fit(convention, &pairs));
     if fits.iter().all(|fit| fit.factor == 0.0) {
@@ -138,9 +140,7 @@ fn fit(convention: Convention, pairs: &[&[Row]]) -> Fit {
     let (mut moved, mut both, mut written) = (0.0, 0.0, 0.0);
     for pair in pairs {
         let rate = turn(pair, convention) / (pair[1].time() - pair[0].time());
-        let mean = (pair[0].vector(Part::Spin)
-            + pair[1].vector(Part::Spin))
-            * 0.5;
+        let mean = (pair[0].vector(Part::Spin) + pair[1].vector(Part::Spin)) * 0.5;
         moved += rate.norm_squared();
         both += rate.dot(&mean);
         written += mean.norm_squared();

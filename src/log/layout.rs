@@ -9,8 +9,8 @@ use super::row::{COLUMNS, Part, Parts};
 /// What a column may be called by `--columns`: those of [`COLUMNS`], then Euler angles in the order of a sequence, angles about the axes
 /// x, y, z, and modified Rodrigues parameters.
 pub(super) const FIELDS: [&str; 23] = [
-    "t", "x", "y", "z", "qw", "qx", "qy", "qz", "vx", "vy", "vz", "wx", "wy", "wz", "e1", "e2", "e3", "roll", "pitch",
-    "yaw", "s1", "s2", "s3",
+    "t", "x", "y", "z", "qw", "qx", "qy", "qz", "vx", "vy", "vz", "wx", "wy", "wz", "e1", "e2", "e3", "roll",
+    "pitch", "yaw", "s1", "s2", "s3",
 ];
 /// First field of angles in order, of angles about axes, and of modified Rodrigues parameters.
 pub(super) const ANGLES: usize = 14;
@@ -132,7 +132,8 @@ impl Reading {
         let has = |part: &Part| {
             let columns = part.columns();
             self.has_all(columns.start, columns.len())
-                || *part == Part::Orientation && [ANGLES, ROLL, SIGMA].iter().any(|first| self.has_all(*first, 3))
+                || *part == Part::Orientation
+                    && [ANGLES, ROLL, SIGMA].iter().any(|first| self.has_all(*first, 3))
         };
         Parts::of(&Part::ALL.into_iter().filter(has).collect::<Vec<_>>())
     }
@@ -186,8 +187,14 @@ impl Reading {
         while slots.last().is_some_and(Option::is_none) {
             slots.pop();
         }
-        let mut reading =
-            Reading { separator, slots, header, spin_in_body_axes: false, sequence: None, words: String::new() };
+        let mut reading = Reading {
+            separator,
+            slots,
+            header,
+            spin_in_body_axes: false,
+            sequence: None,
+            words: String::new(),
+        };
         reading.spin_in_body_axes = in_body_axes && reading.parts().has(Part::Spin);
         if !reading.has(0) {
             return Err(format!("there is no column t; {}", reading.line_to_paste(names)));
@@ -205,9 +212,14 @@ impl Reading {
     fn in_words(&self, names: &[&str]) -> String {
         let column = |(slot, name): (&Option<Slot>, &&str)| {
             let slot = (*slot)?;
-            let unit = slot.unit.filter(|unit| *unit != 1.0).map_or(String::new(), |unit| format!(" × {unit:?}"));
+            let unit =
+                slot.unit.filter(|unit| *unit != 1.0).map_or(String::new(), |unit| format!(" × {unit:?}"));
             let same = FIELDS[slot.field] == *name && unit.is_empty();
-            Some(if same { (*name).to_owned() } else { format!("{} = {}{unit}", FIELDS[slot.field], shown(name)) })
+            Some(if same {
+                (*name).to_owned()
+            } else {
+                format!("{} = {}{unit}", FIELDS[slot.field], shown(name))
+            })
         };
         let columns: Vec<String> = self.slots.iter().zip(names).filter_map(column).collect();
         format!("columns between {}: {}", self.separator.word(), columns.join(", "))
@@ -261,7 +273,9 @@ fn recognise(names: &[&str], slots: &mut [Option<Slot>]) -> bool {
 fn field(meaning: &Meaning, all: &[Option<Meaning>]) -> Option<usize> {
     let digits = || {
         let same = all.iter().flatten().filter(|other| other.kind == meaning.kind);
-        same.filter_map(|other| if let Component::Digit(digit) = other.component { Some(digit) } else { None })
+        same.filter_map(
+            |other| if let Component::Digit(digit) = other.component { Some(digit) } else { None },
+        )
     };
     let base = usize::from(digits().min() != Some(0));
     let from_base = |digit: usize| digit.checked_sub(base);
@@ -312,7 +326,11 @@ fn obey(asked: &Columns, names: &[&str], slots: &mut [Option<Slot>]) -> Result<(
         let Some(index) = index else {
             let wanted = column.as_deref().unwrap_or(FIELDS.get(*field).copied().unwrap_or("-"));
             let listed: Vec<String> = names.iter().take(MOST_SHOWN).map(|name| shown(name)).collect();
-            return Err(format!("--columns: there is no column {}; there are {}", shown(wanted), listed.join(", ")));
+            return Err(format!(
+                "--columns: there is no column {}; there are {}",
+                shown(wanted),
+                listed.join(", ")
+            ));
         };
         for slot in slots.iter_mut().filter(|slot| slot.is_some_and(|slot| slot.field == *field)) {
             *slot = None;
@@ -380,7 +398,9 @@ pub(super) fn number(cell: &str, separator: Separator) -> Option<f64> {
         return Some(value);
     }
     match cell {
-        "" | "null" | "NULL" | "None" | "NA" | "N/A" | "-nan" | "-NaN" | "nan(ind)" | "-nan(ind)" => Some(f64::NAN),
+        "" | "null" | "NULL" | "None" | "NA" | "N/A" | "-nan" | "-NaN" | "nan(ind)" | "-nan(ind)" => {
+            Some(f64::NAN)
+        }
         _ if separator != Separator::Sign(b',') && cell.contains(',') && cell.len() < SHOWN => {
             cell.replacen(',', ".", 1).parse().ok()
         }

@@ -64,7 +64,11 @@ struct Readings {
 
 impl Readings {
     fn none() -> Readings {
-        Readings { errors: PerQuantity::all(Extreme::NONE), metrics: vec![Extreme::NONE; metrics().count()], unit: 0.0 }
+        Readings {
+            errors: PerQuantity::all(Extreme::NONE),
+            metrics: vec![Extreme::NONE; metrics().count()],
+            unit: 0.0,
+        }
     }
 
     fn joined(mut self, other: &Readings) -> Readings {
@@ -90,7 +94,11 @@ pub(super) struct Reader<'a> {
 }
 
 /// Everything that is measured on a log.
-pub(super) fn measure(reader: &Reader, track: Result<&Track, &String>, notes: &mut Vec<String>) -> Vec<Finding> {
+pub(super) fn measure(
+    reader: &Reader,
+    track: Result<&Track, &String>,
+    notes: &mut Vec<String>,
+) -> Vec<Finding> {
     let rows = &reader.log.rows;
     let grid = track.map(|track| track.samples()).unwrap_or_default();
     let pieces: Vec<Readings> = rows
@@ -115,21 +123,22 @@ pub(super) fn measure(reader: &Reader, track: Result<&Track, &String>, notes: &m
             Ok(_) => reader.value(needed, extreme, uncertainty),
         },
     };
-    let errors = Quantity::ALL.into_iter().map(|q| {
-        finding(q.name(), q.unit(), parts_of(q), &readings.errors[q], uncertainty[q])
-    });
+    let errors = Quantity::ALL
+        .into_iter()
+        .map(|q| finding(q.name(), q.unit(), parts_of(q), &readings.errors[q], uncertainty[q]));
     // A metric is a ratio or an angle: the relative uncertainties of what it is made of.
     let relative = relative(reader.system, &grid, &uncertainty);
-    let metrics = metrics()
-        .zip(&readings.metrics)
-        .map(|(metric, extreme)| finding(metric.name, metric.unit, reader.parts_of_metric(metric), extreme, relative));
+    let metrics = metrics().zip(&readings.metrics).map(|(metric, extreme)| {
+        finding(metric.name, metric.unit, reader.parts_of_metric(metric), extreme, relative)
+    });
     errors.chain(metrics).collect()
 }
 
 fn relative(system: &System, grid: &[Snapshot], uncertainty: &PerQuantity<f64>) -> f64 {
     let sizes = crate::model::sizes(system, grid);
     let over = |q: Quantity| if sizes[q] > 0.0 { uncertainty[q] / sizes[q] } else { 0.0 };
-    2.0 * (over(Quantity::AngularVelocity) + over(Quantity::Orientation) + over(Quantity::Velocity)) + f64::EPSILON
+    2.0 * (over(Quantity::AngularVelocity) + over(Quantity::Orientation) + over(Quantity::Velocity))
+        + f64::EPSILON
 }
 
 /// What an error of a quantity needs.
@@ -154,10 +163,16 @@ struct Whole {
 }
 
 impl Whole {
-    fn of(parts: Parts, grid: &[Snapshot], rows: &[Row], (states, truth): (&[Snapshot], &[Snapshot])) -> Whole {
+    fn of(
+        parts: Parts,
+        grid: &[Snapshot],
+        rows: &[Row],
+        (states, truth): (&[Snapshot], &[Snapshot]),
+    ) -> Whole {
         let has = |index: &usize| parts != Parts::default() && rows[*index].parts.covers(parts);
         let whole: Vec<usize> = (0..rows.len()).filter(has).collect();
-        let pick = |of: &[Snapshot]| grid.iter().copied().chain(whole.iter().map(|index| of[*index])).collect();
+        let pick =
+            |of: &[Snapshot]| grid.iter().copied().chain(whole.iter().map(|index| of[*index])).collect();
         let (times, uncertainty, sources) = (Vec::new(), Vec::new(), Vec::new());
         let reference = Reference { times, states: pick(truth), uncertainty, sources };
         Whole { parts, states: pick(states), reference, last: whole.last().copied() }

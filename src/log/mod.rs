@@ -113,8 +113,11 @@ pub struct Judgement {
 /// # Errors
 /// [`FileError`]: it cannot be read, or is no trajectory.
 pub fn judge(path: &Path, scene: &Scene, request: &Request) -> Result<Judgement, FileError> {
-    judge_log(file::read(path, &request.said)?, scene, request)
-        .map_err(|why| FileError::Content { file: path.display().to_string(), line: 2, why })
+    judge_log(file::read(path, &request.said)?, scene, request).map_err(|why| FileError::Content {
+        file: path.display().to_string(),
+        line: 2,
+        why,
+    })
 }
 
 /// Judges the text of a file.
@@ -122,8 +125,11 @@ pub fn judge(path: &Path, scene: &Scene, request: &Request) -> Result<Judgement,
 /// # Errors
 /// [`FileError`]: it is no trajectory.
 pub fn judge_text(text: &str, scene: &Scene, request: &Request) -> Result<Judgement, FileError> {
-    judge_log(file::parse(text, "log", &request.said)?, scene, request)
-        .map_err(|why| FileError::Content { file: "log".to_owned(), line: 2, why })
+    judge_log(file::parse(text, "log", &request.said)?, scene, request).map_err(|why| FileError::Content {
+        file: "log".to_owned(),
+        line: 2,
+        why,
+    })
 }
 
 fn judge_log(mut log: Log, scene: &Scene, request: &Request) -> Result<Judgement, String> {
@@ -238,7 +244,10 @@ fn start_at(scene: &mut Scene, log: &mut Log, row: usize, declared: Convention) 
         return Err(format!("--from-log {row}: there are {} rows", log.rows.len()));
     };
     if first.time() > 0.0 && scene.system.forces.fastest_clock() > 0.0 {
-        return Err(format!("--from-log {row}: the forces depend on the time, and the row is at t = {} s", first.time()));
+        return Err(format!(
+            "--from-log {row}: the forces depend on the time, and the row is at t = {} s",
+            first.time()
+        ));
     }
     let own = Track::of(&scene.system, &[0.0]).map_err(|error| error.to_string())?.at(0, 0.0);
     let reader = Reader { log, system: &scene.system, declared };

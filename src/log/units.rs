@@ -71,7 +71,8 @@ pub(super) fn apply(log: &mut Log, said: &Said) {
     ];
     for (part, unit) in scales {
         if let Some(unit) = unit.filter(|unit| *unit != 1.0) {
-            let scaled = |row: &mut super::row::Row| row.values[part.columns()].iter_mut().for_each(|x| *x *= unit);
+            let scaled =
+                |row: &mut super::row::Row| row.values[part.columns()].iter_mut().for_each(|x| *x *= unit);
             log.rows.iter_mut().for_each(scaled);
         }
     }
@@ -92,7 +93,9 @@ pub(super) fn apply(log: &mut Log, said: &Said) {
             row.values[4..8].copy_from_slice(&[q.w, q.i, q.j, q.k]);
         }
         let degrees = if unit == 1.0 { "radians" } else { "degrees" };
-        log.notes.push(format!("orientations are made of Euler angles {sequence} in {degrees}; --euler says another sequence"));
+        log.notes.push(format!(
+            "orientations are made of Euler angles {sequence} in {degrees}; --euler says another sequence"
+        ));
     } else if !log.reading.has_all(4, 4) && log.reading.has_all(SIGMA, 3) {
         for row in &mut log.rows {
             let [a, b, c] = [4, 5, 6].map(|k| row.values[k]);
@@ -122,7 +125,8 @@ fn times(log: &mut Log, said: &Said) {
     let unit = stated.or(seen).unwrap_or(1.0);
     let start = if first * unit >= UNIX { first } else { 0.0 };
     if start > 0.0 {
-        log.notes.push(format!("times start at {first} ({} s after 1970): the first row is t = 0", first * unit));
+        log.notes
+            .push(format!("times start at {first} ({} s after 1970): the first row is t = 0", first * unit));
     }
     if unit != 1.0 {
         log.notes.push(format!("times are in units of {unit:e} s"));

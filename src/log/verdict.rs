@@ -105,7 +105,12 @@ impl Judgement {
                 metric: format!("{}-{place}", finding.name),
                 value,
                 unit: finding.unit.to_owned(),
-                uncertainty: finding.value.as_ref().ok().map(|value| value.uncertainty).filter(|u| u.is_finite()),
+                uncertainty: finding
+                    .value
+                    .as_ref()
+                    .ok()
+                    .map(|value| value.uncertainty)
+                    .filter(|u| u.is_finite()),
                 status: if value.is_some() { RunStatus::Ok } else { RunStatus::NotApplicable },
                 why: why.or(value.is_none().then_some(lost)),
                 ..Measurement::default()

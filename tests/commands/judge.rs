@@ -142,7 +142,10 @@ fn gaps_jumps_repeats_and_rows_that_are_not_finite_are_told_with_their_line() {
     let mut some = rows.clone();
     some[10][3] = f64::NAN;
     some[20][13] = f64::INFINITY;
-    told(&some, &["1 of 1001 rows have no position", "line 12", "1 of 1001 rows have no angular velocity", "line 22"]);
+    told(
+        &some,
+        &["1 of 1001 rows have no position", "line 12", "1 of 1001 rows have no angular velocity", "line 22"],
+    );
     let negated: Vec<Row> = rows
         .iter()
         .enumerate()

@@ -67,7 +67,10 @@ fn formats_of_many_programs_are_read() {
         assert!(passes(&judgement, Quantity::Orientation), "{log}\n{judgement:?}");
         assert!(judgement.explanations.is_empty(), "{log}\n{:?}", judgement.explanations);
         let spins = judgement.findings.iter().find(|f| f.name == "angular-velocity").expect("a finding");
-        assert!(spins.value.is_err() || passes(&judgement, Quantity::AngularVelocity), "{log}\n{judgement:?}");
+        assert!(
+            spins.value.is_err() || passes(&judgement, Quantity::AngularVelocity),
+            "{log}\n{judgement:?}"
+        );
     }
 }
 
@@ -94,13 +97,16 @@ fn columns_units_and_sequences_can_be_said() {
 #[test]
 fn a_row_without_an_orientation_never_passes() {
     let (turned, none) = ("2,0.5403023058681398,0,0,0.8414709848078965\n", "0,0,0,0\n");
-    let between = judged(&format!("t,qw,qx,qy,qz\n0,1,0,0,0\n1,{none}{turned}")).against(Quantity::Orientation, 1e-9);
+    let between =
+        judged(&format!("t,qw,qx,qy,qz\n0,1,0,0,0\n1,{none}{turned}")).against(Quantity::Orientation, 1e-9);
     assert_eq!((between.ruling, between.rows), (Ruling::Pass, (2, 3)));
     for log in [
         format!("t,qw,qx,qy,qz\n0,1,0,0,0\n1,COS,0,0,SIN\n2,{none}"),
         "t,qw,qx,qy,qz\n0,1,0,0,0\n1,nan,0,0,0\n".to_owned(),
         format!("t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,0,0,0,{none}"),
-        format!("t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,0,0,0,{none}1.5,0,0,0,{none}2,0,0,0,0.5403023058681398,0,0,0.8414709848078965\n1.8,0,0,0,{none}"),
+        format!(
+            "t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,0,0,0,{none}1.5,0,0,0,{none}2,0,0,0,0.5403023058681398,0,0,0.8414709848078965\n1.8,0,0,0,{none}"
+        ),
     ] {
         let verdict = judged(&log).against(Quantity::Orientation, 10.0);
         assert_eq!(verdict.ruling, Ruling::Inconclusive, "{log}: {verdict:?}");
@@ -110,13 +116,17 @@ fn a_row_without_an_orientation_never_passes() {
 #[test]
 fn known_cases_are_named() {
     let changes = |log: &str| judged(log).explanations.iter().map(|e| e.change).collect::<Vec<_>>();
-    assert_eq!(changes("t,wx,wy,wz\n0,0,0,1\n0.5,0,0,1\n1.0,0,0,0.9\n1.5,0,0,0.9\n2.0,0,0,0.9\n"), [Change::Clipped]);
+    assert_eq!(
+        changes("t,wx,wy,wz\n0,0,0,1\n0.5,0,0,1\n1.0,0,0,0.9\n1.5,0,0,0.9\n2.0,0,0,0.9\n"),
+        [Change::Clipped]
+    );
     let turned = "t,qw,qx,qy,qz,wx,wy,wz\n0,0,1,0,0,0,0,1\n0.5,0,COS,SIN,0,0,0,1\n\
                   1.0,0,0.8775825618903728,0.479425538604203,0,0,0,1\n1.5,0,0.7316888688738209,0.6816387600233341,0,0,0,1\n";
     assert_eq!(changes(turned), [Change::BodyAxes, Change::Start]);
     let from_log = judged_as(turned, &Request { from_log: Some(1), ..Request::default() });
     assert!(passes(&from_log, Quantity::Orientation) && from_log.explanations.is_empty());
-    let epoch = judged("t,qw,qx,qy,qz,wx,wy,wz\n1564567273.0,1,0,0,0,0,0,1\n1564567273.5,COS,0,0,SIN,0,0,1\n");
+    let epoch =
+        judged("t,qw,qx,qy,qz,wx,wy,wz\n1564567273.0,1,0,0,0,0,0,1\n1564567273.5,COS,0,0,SIN,0,0,1\n");
     assert!(passes(&epoch, Quantity::Orientation) && epoch.explanations.is_empty());
 }
 

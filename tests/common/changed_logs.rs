@@ -105,7 +105,11 @@ fn draw(chance: &mut Chance, fast: bool) -> Drawn {
     let spin = if fast { chance.vector(3.5, 5.0) } else { chance.vector(0.5, 2.0) };
     let (velocity, position) = (chance.vector(0.5, 2.0), chance.vector(0.2, 1.0));
     let q = chance.turn();
-    let gravity = if chance.below(2) == 0 { "" } else { "[[forces]]\nlaw = \"gravity\"\nacceleration = [0, 0, -9.81]\n" };
+    let gravity = if chance.below(2) == 0 {
+        ""
+    } else {
+        "[[forces]]\nlaw = \"gravity\"\nacceleration = [0, 0, -9.81]\n"
+    };
     let duration = chance.between(2.0, 6.0);
     let row = |k: usize| format!("[{:?}, {:?}, {:?}]", inertia[(k, 0)], inertia[(k, 1)], inertia[(k, 2)]);
     let vector = |v: Vector3<f64>| format!("[{:?}, {:?}, {:?}]", v.x, v.y, v.z);
@@ -136,13 +140,15 @@ fn solved(system: &System, times: &[f64]) -> Vec<Snapshot> {
 /// The same body with another inertia.
 fn with_inertia(drawn: &Drawn, change: impl Fn(&Matrix3<f64>) -> Matrix3<f64>) -> Vec<Snapshot> {
     let body = &drawn.system.body;
-    let other = polhode::model::body::Body::from_inertia(body.mass, change(&body.inertia), None, true).expect("a body");
+    let other = polhode::model::body::Body::from_inertia(body.mass, change(&body.inertia), None, true)
+        .expect("a body");
     let start = &drawn.system.start;
     let spin = start.orientation
         * (body.inverse_inertia() * start.orientation.inverse_transform_vector(&start.angular_momentum));
     let laws = drawn.system.forces.laws().to_vec();
     let spin = polhode::model::Spin::Velocity(spin);
-    let system = System::new(other, laws, start.position, start.orientation, start.velocity, spin).expect("a system");
+    let system =
+        System::new(other, laws, start.position, start.orientation, start.velocity, spin).expect("a system");
     solved(&system, &drawn.times)
 }
 
@@ -193,7 +199,9 @@ fn states(name: &str, drawn: &Drawn, chance: &mut Chance) -> Vec<Snapshot> {
         }
         "no gyroscopic term" => {
             let truth = solved(system, times);
-            polhode::internals::study::cause::Cause::NoGyroscopicTerm.motion(system, &truth).expect("a motion")
+            polhode::internals::study::cause::Cause::NoGyroscopicTerm
+                .motion(system, &truth)
+                .expect("a motion")
         }
         _ => solved(system, times),
     }
@@ -317,7 +325,8 @@ pub fn right(seed: u64) -> Named {
     let mut chance = Chance::of(seed);
     let drawn = draw(&mut chance, false);
     let mut states = solved(&drawn.system, &drawn.times);
-    let names = ["rk4-quaternion", "peskin-rk4", "peskin-rk2", "gauss-legendre-4", "strang-rotations", "lie-verlet"];
+    let names =
+        ["rk4-quaternion", "peskin-rk4", "peskin-rk2", "gauss-legendre-4", "strang-rotations", "lie-verlet"];
     if chance.below(2) == 0 {
         let name = names[chance.below(names.len())];
         let all = Contestant::all();
@@ -327,8 +336,11 @@ pub fn right(seed: u64) -> Named {
         let plan = Plan { step: drawn.times[1] / parts as f64, steps, every: parts };
         states = scheme.run(&drawn.system, Form::Least, &plan).states;
     }
-    let rows: Vec<Row> =
-        states.iter().zip(&drawn.times).map(|(state, time)| row(&Snapshot { time: *time, ..*state })).collect();
+    let rows: Vec<Row> = states
+        .iter()
+        .zip(&drawn.times)
+        .map(|(state, time)| row(&Snapshot { time: *time, ..*state }))
+        .collect();
     judged(&written(&rows, 5 + chance.below(12)), &drawn.scene, None)
 }
 
@@ -375,7 +387,6 @@ pub fn still() -> Scene {
     Scene::parse(STILL, "still.toml").expect("a scene")
 }
 
-
 /// A log with random changes of its bytes.
 fn mutated(chance: &mut Chance) -> String {
     let mut text = "t,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz\n".to_owned();
@@ -383,8 +394,28 @@ fn mutated(chance: &mut Chance) -> String {
         text += &format!("{},0,0,0,1,0,0,{},0,0,0,0,0,1\n", 0.1 * f64::from(k), 0.05 * f64::from(k));
     }
     const PIECES: [&str; 22] = [
-        "", ",", ";", "\t", "\n", "\r\n", "nan", "inf", "-", "1e308", "1e-320", "\"", "#", "%", " ", "=", "q", "t", "[deg]",
-        "é", "99999999999999999999", ",,,,",
+        "",
+        ",",
+        ";",
+        "\t",
+        "\n",
+        "\r\n",
+        "nan",
+        "inf",
+        "-",
+        "1e308",
+        "1e-320",
+        "\"",
+        "#",
+        "%",
+        " ",
+        "=",
+        "q",
+        "t",
+        "[deg]",
+        "é",
+        "99999999999999999999",
+        ",,,,",
     ];
     for _ in 0..1 + chance.below(6) {
         let mut at = chance.below(text.len() + 1);

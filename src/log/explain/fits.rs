@@ -21,8 +21,11 @@ pub(super) fn of_one_number(case: &Case) -> Vec<Tried> {
     if case.rows.len() < ROWS_EACH {
         return tried;
     }
-    let sets = [vec![Part::Position], vec![Part::Velocity], vec![Part::Spin], vec![Part::Position, Part::Velocity]];
-    tried.extend(sets.iter().filter(|set| case.parts().covers(Parts::of(set))).filter_map(|set| scaled(case, set)));
+    let sets =
+        [vec![Part::Position], vec![Part::Velocity], vec![Part::Spin], vec![Part::Position, Part::Velocity]];
+    tried.extend(
+        sets.iter().filter(|set| case.parts().covers(Parts::of(set))).filter_map(|set| scaled(case, set)),
+    );
     let all = case.parts();
     tried.extend(starts(case).into_iter().filter_map(|start| shifted(case, all, start)));
     if all.each().count() > 1 {
@@ -45,7 +48,8 @@ fn scaled(case: &Case, parts: &[Part]) -> Option<Tried> {
         parts.iter().fold(*state, |state, part| with_vector(*part, &state, vector(*part, &state) * factor))
     });
     let names: Vec<&str> = parts.iter().map(|part| part.word()).collect();
-    let words = format!("the {} is {:.6} times the reference's throughout", names.join(" and "), 1.0 / factor);
+    let words =
+        format!("the {} is {:.6} times the reference's throughout", names.join(" and "), 1.0 / factor);
     Some(Tried { change: Change::Scale, words, left })
 }
 
@@ -62,7 +66,8 @@ fn starts(case: &Case) -> Vec<f64> {
         let mut dips: Vec<usize> = (0..=STARTS)
             .filter(|n| {
                 let here = distances[*n];
-                let lower = |other: Option<usize>| other.and_then(|o| distances.get(o)).is_some_and(|d| *d < here);
+                let lower =
+                    |other: Option<usize>| other.and_then(|o| distances.get(o)).is_some_and(|d| *d < here);
                 !lower(n.checked_sub(1)) && !lower(Some(n + 1))
             })
             .collect();
@@ -86,7 +91,8 @@ fn shifted(case: &Case, parts: Parts, start: f64) -> Option<Tried> {
             if !inside(t) {
                 continue;
             }
-            let (before, truth, after) = (case.track.truth(t - step), case.track.truth(t), case.track.truth(t + step));
+            let (before, truth, after) =
+                (case.track.truth(t - step), case.track.truth(t), case.track.truth(t + step));
             for part in parts.each() {
                 let rate = change(part, &before, &after) / (2.0 * step);
                 let size = case.sizes[part as usize];
@@ -110,7 +116,9 @@ fn shifted(case: &Case, parts: Parts, start: f64) -> Option<Tried> {
     } else {
         format!("the {}", parts.each().map(Part::word).collect::<Vec<_>>().join(" and "))
     };
-    let words = format!("{what} shows at t what the reference shows at t + {shift:.9} s: a shift in time or a late start");
+    let words = format!(
+        "{what} shows at t what the reference shows at t + {shift:.9} s: a shift in time or a late start"
+    );
     Some(Tried { change: Change::Shift, words, left })
 }
 
@@ -186,7 +194,10 @@ fn with_world_turned(state: &Snapshot, back: &Rotation) -> Snapshot {
 fn world_turned(case: &Case) -> Tried {
     let mut pairs = Wahba::of_vectors(case);
     if case.parts().has(Part::Orientation) {
-        case.states.iter().zip(&case.truth).for_each(|(log, own)| pairs.push_axes(&own.orientation, &log.orientation));
+        case.states
+            .iter()
+            .zip(&case.truth)
+            .for_each(|(log, own)| pairs.push_axes(&own.orientation, &log.orientation));
     }
     let turn = pairs.rotation();
     let left = case.after(|state| with_world_turned(state, &turn.inverse()));
@@ -222,7 +233,8 @@ fn body_point(case: &Case, velocities: bool) -> Tried {
     let turned = |state: &Snapshot, truth: &Snapshot| {
         truth.orientation.inverse_transform_vector(&(state.position - truth.position))
     };
-    let sum: Vector3<f64> = case.states.iter().zip(&case.truth).map(|(state, truth)| turned(state, truth)).sum();
+    let sum: Vector3<f64> =
+        case.states.iter().zip(&case.truth).map(|(state, truth)| turned(state, truth)).sum();
     let point = sum / case.rows.len() as f64;
     let states: Vec<Snapshot> = case
         .states
@@ -246,7 +258,8 @@ fn offset(case: &Case, part: Part) -> Tried {
     let sum: Vector3<f64> = case.vectors(part).map(|(log, truth)| log - truth).sum();
     let by = sum / case.rows.len() as f64;
     let left = case.after(|state| with_vector(part, state, vector(part, state) - by));
-    let words = format!("a constant ({:.6e}, {:.6e}, {:.6e}) is added to the {}", by.x, by.y, by.z, part.word());
+    let words =
+        format!("a constant ({:.6e}, {:.6e}, {:.6e}) is added to the {}", by.x, by.y, by.z, part.word());
     Tried { change: Change::Offset, words, left }
 }
 

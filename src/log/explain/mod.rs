@@ -135,7 +135,9 @@ pub(super) fn explain(reader: Reader, track: &Track) -> Vec<Explanation> {
         let fits: Vec<Tried> = tried.into_iter().filter(|tried| tried.left <= allowed).collect();
         let best = fits.iter().map(|tried| tried.left).fold(f64::INFINITY, f64::min);
         let alike = fits.into_iter().filter(|tried| tried.left <= ALIKE * best.max(known));
-        alike.map(|tried| Explanation { change: tried.change, words: tried.words, left: tried.left, before }).collect()
+        alike
+            .map(|tried| Explanation { change: tried.change, words: tried.words, left: tried.left, before })
+            .collect()
     };
     let ranks: [fn(&Case) -> Vec<Tried>; 5] =
         [repairs::tried, signals::tried, fits::of_one_number, fits::of_three_numbers, motions::tried];
@@ -151,7 +153,10 @@ pub(super) fn explain(reader: Reader, track: &Track) -> Vec<Explanation> {
         }
     }
     let remark = signals::noise(&case, before).or_else(|| motions::scheme(&case));
-    remark.map(|tried| Explanation { change: tried.change, words: tried.words, left: tried.left, before }).into_iter().collect()
+    remark
+        .map(|tried| Explanation { change: tried.change, words: tried.words, left: tried.left, before })
+        .into_iter()
+        .collect()
 }
 
 impl<'a> Case<'a> {
@@ -163,8 +168,11 @@ impl<'a> Case<'a> {
         let rows: Vec<usize> = all.into_iter().step_by(stride).collect();
         let truth: Vec<Snapshot> =
             rows.iter().map(|row| track.truth(log.rows[*row].time().min(track.last()))).collect();
-        let states: Vec<Snapshot> =
-            rows.iter().zip(&truth).map(|(row, truth)| reader.snapshot(&log.rows[*row], Some(truth))).collect();
+        let states: Vec<Snapshot> = rows
+            .iter()
+            .zip(&truth)
+            .map(|(row, truth)| reader.snapshot(&log.rows[*row], Some(truth)))
+            .collect();
         let own = sizes(reader.system, &track.samples());
         let sizes = [own[Quantity::Position], 1.0, own[Quantity::Velocity], own[Quantity::AngularVelocity]];
         (!rows.is_empty()).then_some(Case { reader, rows, states, truth, track, sizes })

@@ -102,7 +102,8 @@ fn inertias(case: &Case) -> Vec<Tried> {
     }
     for order in ORDERS {
         let of = Vector3::from_fn(|k, _| diagonal[order[k]]);
-        let words = format!("{} in the place of Ixx, Iyy, Izz", order.map(|k| ["Ixx", "Iyy", "Izz"][k]).join(", "));
+        let words =
+            format!("{} in the place of Ixx, Iyy, Izz", order.map(|k| ["Ixx", "Iyy", "Izz"][k]).join(", "));
         changed.push((words, tensor(&of, &products)));
     }
     changed.retain(|(_, inertia)| (inertia - own).amax() > SMALL * own.amax());
@@ -220,13 +221,15 @@ pub(super) fn scheme(case: &Case) -> Option<Tried> {
             return None;
         }
         let run = contestant.run(case.system(), Form::Least, &plan);
-        (run.states.len() == states.len()).then(|| (case.residual(&states, &run.states), contestant.card.name))
+        (run.states.len() == states.len())
+            .then(|| (case.residual(&states, &run.states), contestant.card.name))
     };
     let mut fits: Vec<(f64, &str)> = Contestant::all().iter().filter_map(left).collect();
     fits.retain(|(left, _)| *left <= LEFT * before);
     fits.sort_by(|a, b| a.0.total_cmp(&b.0));
     let (best, _) = *fits.first()?;
-    let names: Vec<&str> = fits.iter().take_while(|fit| fit.0 <= 3.0 * best.max(1e-13)).take(NAMED).map(|fit| fit.1).collect();
+    let names: Vec<&str> =
+        fits.iter().take_while(|fit| fit.0 <= 3.0 * best.max(1e-13)).take(NAMED).map(|fit| fit.1).collect();
     let words = format!("the rows are the steps of {} with h = {step} s", names.join(" or "));
     // The whole log has the same error: what is left of it is the same part.
     Some(Tried { change: Change::Scheme, words, left: best })

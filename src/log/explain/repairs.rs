@@ -10,8 +10,13 @@ use crate::log::Sequence;
 use crate::model::Snapshot;
 use crate::rotation::{self, Rotation};
 
-const LENGTHS: [(f64, &str); 5] =
-    [(0.01, "centimetres"), (0.001, "millimetres"), (0.3048, "feet"), (0.0254, "inches"), (1000.0, "kilometres")];
+const LENGTHS: [(f64, &str); 5] = [
+    (0.01, "centimetres"),
+    (0.001, "millimetres"),
+    (0.3048, "feet"),
+    (0.0254, "inches"),
+    (1000.0, "kilometres"),
+];
 const SPEEDS: [(f64, &str); 6] = [
     (0.01, "centimetres a second"),
     (0.001, "millimetres a second"),
@@ -87,7 +92,8 @@ fn orientations(case: &Case, tried: &mut Vec<Tried>) {
     let declared = case.reader.declared;
     for convention in Convention::ALL {
         let left = case.read_anew(convention, true);
-        let also = if convention == declared { String::new() } else { format!(", with {}", convention.words()) };
+        let also =
+            if convention == declared { String::new() } else { format!(", with {}", convention.words()) };
         let words = format!("quaternions are x, y, z, w: write the scalar into qw{also}");
         tried.push(Tried { change: Change::ScalarLast, words, left });
         if convention != declared {
@@ -106,7 +112,11 @@ fn orientations(case: &Case, tried: &mut Vec<Tried>) {
     }
     if case.parts().has(Part::Velocity) {
         let left = case.after(|state| Snapshot { velocity: state.orientation * state.velocity, ..*state });
-        tried.push(Tried { change: Change::BodyVelocity, words: "velocities are in body axes".to_owned(), left });
+        tried.push(Tried {
+            change: Change::BodyVelocity,
+            words: "velocities are in body axes".to_owned(),
+            left,
+        });
     }
     if let Some(read) = case.log().reading.sequence {
         for sequence in Sequence::all().flat_map(|sequence| [sequence, sequence.other_way()]) {
@@ -151,7 +161,8 @@ fn permuted(case: &Case, tried: &mut Vec<Tried>) {
             moved(state, rotation::from_matrix(&(back * axes * to)))
         });
         let words = format!("axes of world and body are {kind}: x, y, z of the log are {written}");
-        let change = if case.parts().has(Part::Orientation) { Change::PermutedBoth } else { Change::PermutedWorld };
+        let change =
+            if case.parts().has(Part::Orientation) { Change::PermutedBoth } else { Change::PermutedWorld };
         tried.push(Tried { change, words, left });
         let left = case.after(|state| Snapshot {
             orientation: state.orientation,
@@ -166,7 +177,10 @@ fn permuted(case: &Case, tried: &mut Vec<Tried>) {
             let words = format!("world axes are permuted: x, y, z of the log are {written}");
             tried.push(Tried { change: Change::PermutedWorld, words, left });
             let left = case.after(|state| Snapshot { orientation: state.orientation * turn, ..*state });
-            let words = format!("body axes are permuted: the body of the scene is turned by {}", turned(&turn.inverse()));
+            let words = format!(
+                "body axes are permuted: the body of the scene is turned by {}",
+                turned(&turn.inverse())
+            );
             tried.push(Tried { change: Change::BodyAxes, words, left });
         }
     }

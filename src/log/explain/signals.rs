@@ -21,7 +21,8 @@ fn clipped(case: &Case, part: Part) -> Option<Tried> {
     let size = case.sizes[part as usize];
     let off = |log: f64, truth: f64| (log - truth).abs() > LEFT * LEFT * size;
     let components = || case.vectors(part).flat_map(|(log, truth)| (0..3).map(move |k| (log[k], truth[k])));
-    let limit = components().filter(|(log, truth)| off(*log, *truth)).map(|(log, _)| log.abs()).fold(0.0, f64::max);
+    let limit =
+        components().filter(|(log, truth)| off(*log, *truth)).map(|(log, _)| log.abs()).fold(0.0, f64::max);
     let beyond = |log: f64, truth: f64| {
         (log.abs() - limit).abs() <= LEFT * LEFT * size && truth.abs() > limit && truth * log > 0.0
     };
@@ -78,7 +79,9 @@ pub(super) fn noise(case: &Case, before: f64) -> Option<Tried> {
             .iter()
             .zip(&case.truth)
             .map(|(state, truth)| match part {
-                Part::Orientation => crate::rotation::vector_of(&(truth.orientation.inverse() * state.orientation)),
+                Part::Orientation => {
+                    crate::rotation::vector_of(&(truth.orientation.inverse() * state.orientation))
+                }
                 _ => vector(part, state) - vector(part, truth),
             })
             .collect();
@@ -91,9 +94,7 @@ pub(super) fn noise(case: &Case, before: f64) -> Option<Tried> {
             let mean = errors.iter().map(|e| e[k]).sum::<f64>() / squares.sqrt();
             let memory: f64 = errors.windows(2).map(|pair| pair[0][k] * pair[1][k]).sum::<f64>() / squares;
             // Both have a standard deviation: of one, and of 1/√n.
-            if mean.abs() > DEVIATIONS
-                || memory.abs() * (count as f64).sqrt() > DEVIATIONS
-            {
+            if mean.abs() > DEVIATIONS || memory.abs() * (count as f64).sqrt() > DEVIATIONS {
                 return None;
             }
         }
@@ -103,6 +104,9 @@ pub(super) fn noise(case: &Case, before: f64) -> Option<Tried> {
             sizes.push(format!("{} {each:.3e}", part.word()));
         }
     }
-    let words = format!("the errors are noise without mean and memory, of a standard deviation of {}", sizes.join(", "));
+    let words = format!(
+        "the errors are noise without mean and memory, of a standard deviation of {}",
+        sizes.join(", ")
+    );
     (!sizes.is_empty()).then_some(Tried { change: Change::Noise, words, left: before })
 }
