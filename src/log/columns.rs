@@ -4,7 +4,7 @@
 //! letter, is the component; what is left says the quantity. Formats that have names of their own (EuRoC, AirSim, 42, Basilisk, the NASA
 //! check cases, MuJoCo, Drake, ROS) are covered by these words.
 
-use std::f64::consts::PI;
+use super::units::{factor, take_units};
 
 /// A quantity that a column may be of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -101,7 +101,7 @@ const POSITIONS: [&str; 15] = [
     "rn",
     "coordinate",
 ];
-const QUATERNIONS: [&str; 13] = [
+pub(super) const QUATERNIONS: [&str; 13] = [
     "q",
     "quat",
     "quaternion",
@@ -264,93 +264,11 @@ fn words_of(name: &str) -> Vec<String> {
     words
 }
 
-/// Moves words that are units out of a name of several words.
-fn take_units(words: &mut Vec<String>, units: &mut Vec<String>) {
-    let unit = |word: &str| {
-        let known = [
-            "deg",
-            "degs",
-            "degree",
-            "degrees",
-            "rad",
-            "rads",
-            "radians",
-            "rpm",
-            "dps",
-            "ft",
-            "feet",
-            "mm",
-            "cm",
-            "km",
-            "m",
-            "ms",
-            "us",
-            "ns",
-            "nsec",
-            "nanosec",
-            "usec",
-            "msec",
-            "s",
-            "rps",
-            "mps",
-            "fps",
-            "min",
-            "nanoseconds",
-            "milliseconds",
-            "microseconds",
-            "sec",
-            "seconds",
-        ];
-        known.contains(&word)
-    };
-    let mut index = 1;
-    while index < words.len() {
-        // A last `s` is a component: the scalar of a quaternion.
-        let scalar =
-            index + 1 == words.len() && words[index] == "s" && QUATERNIONS.contains(&words[0].as_str());
-        if unit(&words[index]) && !scalar {
-            units.push(words.remove(index));
-        } else {
-            index += 1;
-        }
-    }
-}
-
-/// SI units in a stated unit.
-fn factor(kind: Kind, units: &[String]) -> Option<f64> {
-    let has = |names: &[&str]| units.iter().any(|unit| names.contains(&unit.as_str()));
-    let first =
-        |table: &[(&[&str], f64)]| table.iter().find(|(names, _)| has(names)).map(|(_, factor)| *factor);
-    match kind {
-        Kind::Time => first(&[
-            (&["ns", "nsec", "nanosec", "nanoseconds"], 1e-9),
-            (&["us", "µs", "usec", "microseconds"], 1e-6),
-            (&["ms", "msec", "milliseconds"], 1e-3),
-            (&["min"], 60.0),
-            (&["s", "sec", "seconds"], 1.0),
-        ]),
-        Kind::Position | Kind::Velocity => first(&[
-            (&["mm"], 1e-3),
-            (&["cm"], 1e-2),
-            (&["km"], if kind == Kind::Velocity && has(&["h"]) { 1.0 / 3.6 } else { 1e3 }),
-            (&["ft", "feet", "fps"], 0.3048),
-            (&["in", "inch", "inches"], 0.0254),
-            (&["m", "mps"], 1.0),
-        ]),
-        Kind::Spin | Kind::Angles | Kind::Roll => first(&[
-            (&["deg", "degs", "degree", "degrees", "dps", "°"], PI / 180.0),
-            (&["rpm"], PI / 30.0),
-            (&["rps"], 2.0 * PI),
-            (&["rad", "rads", "radians"], 1.0),
-        ]),
-        Kind::Quaternion | Kind::Sigma | Kind::Qpos | Kind::Qvel => None,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::Component::{Axis, Digit, Only, Scalar};
     use super::*;
+    use std::f64::consts::PI;
 
     #[test]
     fn names_of_many_programs_are_known() {

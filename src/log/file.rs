@@ -4,10 +4,10 @@ use std::path::Path;
 
 use rayon::prelude::*;
 
-use super::euler::Sequence;
-use super::layout::{self, Columns, FIELDS, Reading, Separator, number};
+use super::layout::{self, FIELDS, Reading, Separator, number};
 use super::row::{COLUMNS, Log, Part, Parts, Row};
-use super::units::{self, AngleUnit, TimeUnit};
+use super::said::Said;
+use super::units;
 use crate::bounded::{self, FileError};
 
 /// Bytes that one thread reads at a time.
@@ -18,19 +18,6 @@ const MOST_ROWS: usize = 10_000_000;
 const MOST_OF_A_HEADER: usize = 1 << 20;
 /// Length of a quaternion below which it is none: printed to one digit, a unit quaternion keeps 0.85.
 const NO_QUATERNION: f64 = 0.1;
-
-/// What the user says about a file.
-#[derive(Clone, Debug, Default)]
-pub struct Said {
-    /// Which column is what.
-    pub columns: Option<Columns>,
-    /// Unit of times.
-    pub time_unit: Option<TimeUnit>,
-    /// Unit of Euler angles and of angular velocities that the header leaves open.
-    pub angle_unit: Option<AngleUnit>,
-    /// Sequence of Euler angles.
-    pub sequence: Option<Sequence>,
-}
 
 /// Reads a file.
 pub(super) fn read(path: &Path, said: &Said) -> Result<Log, FileError> {
@@ -63,25 +50,9 @@ pub(super) fn parse(text: &str, file: &str, said: &Said) -> Result<Log, FileErro
             format!("there are more than {MOST_ROWS} rows: write every tenth"),
         ));
     }
-    let mut rows = Vec::new();
-    let mut notes = Vec::new();
-    let pieces: Vec<Piece> = pieces(after).into_par_iter().map(|piece| read_piece(piece, &reading)).collect();
-    rows.reserve(pieces.iter().map(|piece| piece.rows.len()).sum());
-    let (mut before, last) = (lines_before, pieces.len());
-    for (index, mut piece) in pieces.into_iter().enumerate() {
-        if let Some((line, issue)) = piece.issue {
-            let cut = index + 1 == last && line == piece.lines && !text.ends_with('\n');
-            match issue {
-                Issue::Short if cut => {
-                    notes.push(format!("the last row, line {}, is cut and was left out", before + line));
-                }
-                issue => return Err(refuse(before + line, issue.in_words())),
-            }
-        }
-        piece.rows.iter_mut().for_each(|row| row.line += before as u32);
-        rows.append(&mut piece.rows);
-        before += piece.lines;
-    }
+    let cut_is_allowed = !text.ends_with('\n');
+    let (rows, mut notes) =
+        rows(after, &reading, lines_before, cut_is_allowed).map_err(|(line, why)| refuse(line, why))?;
     if rows.is_empty() {
         return Err(refuse(
             lines_before + 1,
@@ -98,6 +69,34 @@ pub(super) fn parse(text: &str, file: &str, said: &Said) -> Result<Log, FileErro
         return Err(refuse(first, "no row has finite numbers: nothing to judge".to_owned()));
     }
     Ok(log)
+}
+
+/// The rows of the text after a header, and what was seen on the way; or the line that is no row, and why.
+fn rows(
+    text: &str,
+    reading: &Reading,
+    lines_before: usize,
+    cut_is_allowed: bool,
+) -> Result<(Vec<Row>, Vec<String>), (usize, String)> {
+    let (mut rows, mut notes) = (Vec::new(), Vec::new());
+    let pieces: Vec<Piece> = pieces(text).into_par_iter().map(|piece| read_piece(piece, reading)).collect();
+    rows.reserve(pieces.iter().map(|piece| piece.rows.len()).sum());
+    let (mut before, last) = (lines_before, pieces.len());
+    for (index, mut piece) in pieces.into_iter().enumerate() {
+        if let Some((line, issue)) = piece.issue {
+            let cut = cut_is_allowed && index + 1 == last && line == piece.lines;
+            match issue {
+                Issue::Short if cut => {
+                    notes.push(format!("the last row, line {}, is cut and was left out", before + line));
+                }
+                issue => return Err((before + line, issue.in_words())),
+            }
+        }
+        piece.rows.iter_mut().for_each(|row| row.line += before as u32);
+        rows.append(&mut piece.rows);
+        before += piece.lines;
+    }
+    Ok((rows, notes))
 }
 
 /// The beginning of a file.

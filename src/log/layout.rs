@@ -1,10 +1,9 @@
 //! Which column of a file is what: its separator, its header, and what the user says.
 
-use std::str::FromStr;
-
 use super::columns::{self, Component, Kind, Meaning};
 use super::euler::Sequence;
 use super::row::{COLUMNS, Part, Parts};
+use super::said::{Columns, NO_FIELD};
 
 /// What a column may be called by `--columns`: those of [`COLUMNS`], then Euler angles in the order of a sequence, angles about the axes
 /// x, y, z, and modified Rodrigues parameters.
@@ -22,35 +21,6 @@ const SHOWN: usize = 40;
 const MOST_SHOWN: usize = 40;
 /// How far from one the length of a quaternion may be in a file without header that is taken for TUM's format.
 const UNIT: f64 = 1e-2;
-
-/// `--columns`: a list of fields in the order of the file, or fields with the columns that hold them.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Columns(Vec<(usize, Option<String>)>);
-
-/// A place that `--columns` leaves out.
-const NO_FIELD: usize = usize::MAX;
-
-impl FromStr for Columns {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Columns, String> {
-        let field = |name: &str| {
-            let known = FIELDS.iter().position(|field| *field == name.trim());
-            known.ok_or(format!("'{}' is no column; expected {}", shown(name), FIELDS.join(",")))
-        };
-        let items: Vec<&str> = text.split(',').collect();
-        let named = items.iter().filter(|item| item.contains('=')).count();
-        if named != 0 && named != items.len() {
-            return Err("expected a list as t,x,y,z or pairs as t=stamp,qw=q_w".to_owned());
-        }
-        let item = |item: &&str| match item.split_once('=') {
-            Some((name, column)) => Ok((field(name)?, Some(column.trim().to_owned()))),
-            None if matches!(item.trim(), "-" | "_") => Ok((NO_FIELD, None)),
-            None => Ok((field(item)?, None)),
-        };
-        items.iter().map(item).collect::<Result<_, _>>().map(Columns)
-    }
-}
 
 /// What stands between two numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

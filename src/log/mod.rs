@@ -11,6 +11,7 @@ mod frames;
 mod layout;
 mod measure;
 mod row;
+mod said;
 mod series;
 mod times;
 mod track;
@@ -24,9 +25,8 @@ use crate::scenes::Scene;
 
 pub use euler::Sequence;
 pub use explain::{Change, Explanation};
-pub use file::Said;
 pub use frames::{Convention, Fit, FrameCheck};
-pub use layout::Columns;
+pub use said::{Columns, Said};
 pub use series::{Deviation, Series};
 pub use units::{AngleUnit, TimeUnit};
 pub use verdict::Verdict;

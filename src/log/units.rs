@@ -2,9 +2,11 @@
 
 use std::f64::consts::PI;
 
-use super::file::Said;
+use super::columns::Kind;
+use super::euler::Sequence;
 use super::layout::{ANGLES, ROLL, SIGMA};
 use super::row::{Log, Part};
+use super::said::Said;
 use crate::words::words;
 
 words! {
@@ -76,35 +78,42 @@ pub(super) fn apply(log: &mut Log, said: &Said) {
             log.rows.iter_mut().for_each(scaled);
         }
     }
-    if let Some(sequence) = log.reading.sequence {
-        let by_axis = log.reading.has_all(ROLL, 3) && !log.reading.has_all(ANGLES, 3);
-        let header = log.reading.unit(if by_axis { ROLL } else { ANGLES });
-        let unit = header.or(said_angle).unwrap_or_else(|| seen_unit(log));
-        for row in &mut log.rows {
-            let angles = [4, 5, 6].map(|k| row.values[k] * unit);
-            let ordered = if by_axis && sequence.of_three_axes() {
-                let mut ordered = [0.0; 3];
-                (0..3).for_each(|axis| ordered[sequence.place_of(axis)] = angles[axis]);
-                ordered
-            } else {
-                angles
-            };
-            let q = sequence.rotation(ordered);
-            row.values[4..8].copy_from_slice(&[q.w, q.i, q.j, q.k]);
-        }
-        let degrees = if unit == 1.0 { "radians" } else { "degrees" };
-        log.notes.push(format!(
-            "orientations are made of Euler angles {sequence} in {degrees}; --euler says another sequence"
-        ));
-    } else if !log.reading.has_all(4, 4) && log.reading.has_all(SIGMA, 3) {
-        for row in &mut log.rows {
-            let [a, b, c] = [4, 5, 6].map(|k| row.values[k]);
-            let squared = a * a + b * b + c * c;
-            let (w, v) = ((1.0 - squared) / (1.0 + squared), 2.0 / (1.0 + squared));
-            row.values[4..8].copy_from_slice(&[w, v * a, v * b, v * c]);
-        }
-        log.notes.push("orientations are made of modified Rodrigues parameters".to_owned());
+    match log.reading.sequence {
+        Some(sequence) => of_angles(log, sequence, said_angle),
+        None if !log.reading.has_all(4, 4) && log.reading.has_all(SIGMA, 3) => of_rodrigues(log),
+        None => {}
     }
+}
+
+/// Makes quaternions of Euler angles.
+fn of_angles(log: &mut Log, sequence: Sequence, said: Option<f64>) {
+    let by_axis = log.reading.has_all(ROLL, 3) && !log.reading.has_all(ANGLES, 3);
+    let header = log.reading.unit(if by_axis { ROLL } else { ANGLES });
+    let unit = header.or(said).unwrap_or_else(|| seen_unit(log));
+    for row in &mut log.rows {
+        let angles = [4, 5, 6].map(|k| row.values[k] * unit);
+        let mut ordered = angles;
+        if by_axis && sequence.of_three_axes() {
+            (0..3).for_each(|axis| ordered[sequence.place_of(axis)] = angles[axis]);
+        }
+        let q = sequence.rotation(ordered);
+        row.values[4..8].copy_from_slice(&[q.w, q.i, q.j, q.k]);
+    }
+    let unit = if unit == 1.0 { "radians" } else { "degrees" };
+    let note =
+        format!("orientations are made of Euler angles {sequence} in {unit}; --euler says another sequence");
+    log.notes.push(note);
+}
+
+/// Makes quaternions of modified Rodrigues parameters: (1 − σ², 2σ) over 1 + σ².
+fn of_rodrigues(log: &mut Log) {
+    for row in &mut log.rows {
+        let sigma = [4, 5, 6].map(|k| row.values[k]);
+        let squared: f64 = sigma.iter().map(|x| x * x).sum();
+        let [a, b, c] = sigma.map(|x| 2.0 * x / (1.0 + squared));
+        row.values[4..8].copy_from_slice(&[(1.0 - squared) / (1.0 + squared), a, b, c]);
+    }
+    log.notes.push("orientations are made of modified Rodrigues parameters".to_owned());
 }
 
 /// Degrees where an angle is more than a turn in radians.
@@ -133,5 +142,89 @@ fn times(log: &mut Log, said: &Said) {
     }
     if unit != 1.0 || start > 0.0 {
         log.rows.iter_mut().for_each(|row| row.values[0] = (row.values[0] - start) * unit);
+    }
+}
+
+/// Moves words that are units out of a name of several words.
+pub(super) fn take_units(words: &mut Vec<String>, units: &mut Vec<String>) {
+    let unit = |word: &str| {
+        let known = [
+            "deg",
+            "degs",
+            "degree",
+            "degrees",
+            "rad",
+            "rads",
+            "radians",
+            "rpm",
+            "dps",
+            "ft",
+            "feet",
+            "mm",
+            "cm",
+            "km",
+            "m",
+            "ms",
+            "us",
+            "ns",
+            "nsec",
+            "nanosec",
+            "usec",
+            "msec",
+            "s",
+            "rps",
+            "mps",
+            "fps",
+            "min",
+            "nanoseconds",
+            "milliseconds",
+            "microseconds",
+            "sec",
+            "seconds",
+        ];
+        known.contains(&word)
+    };
+    let mut index = 1;
+    while index < words.len() {
+        // A last `s` is a component: the scalar of a quaternion.
+        let scalar = index + 1 == words.len()
+            && words[index] == "s"
+            && super::columns::QUATERNIONS.contains(&words[0].as_str());
+        if unit(&words[index]) && !scalar {
+            units.push(words.remove(index));
+        } else {
+            index += 1;
+        }
+    }
+}
+
+/// SI units in a stated unit.
+pub(super) fn factor(kind: Kind, units: &[String]) -> Option<f64> {
+    let has = |names: &[&str]| units.iter().any(|unit| names.contains(&unit.as_str()));
+    let first =
+        |table: &[(&[&str], f64)]| table.iter().find(|(names, _)| has(names)).map(|(_, factor)| *factor);
+    match kind {
+        Kind::Time => first(&[
+            (&["ns", "nsec", "nanosec", "nanoseconds"], 1e-9),
+            (&["us", "µs", "usec", "microseconds"], 1e-6),
+            (&["ms", "msec", "milliseconds"], 1e-3),
+            (&["min"], 60.0),
+            (&["s", "sec", "seconds"], 1.0),
+        ]),
+        Kind::Position | Kind::Velocity => first(&[
+            (&["mm"], 1e-3),
+            (&["cm"], 1e-2),
+            (&["km"], if kind == Kind::Velocity && has(&["h"]) { 1.0 / 3.6 } else { 1e3 }),
+            (&["ft", "feet", "fps"], 0.3048),
+            (&["in", "inch", "inches"], 0.0254),
+            (&["m", "mps"], 1.0),
+        ]),
+        Kind::Spin | Kind::Angles | Kind::Roll => first(&[
+            (&["deg", "degs", "degree", "degrees", "dps", "°"], PI / 180.0),
+            (&["rpm"], PI / 30.0),
+            (&["rps"], 2.0 * PI),
+            (&["rad", "rads", "radians"], 1.0),
+        ]),
+        Kind::Quaternion | Kind::Sigma | Kind::Qpos | Kind::Qvel => None,
     }
 }
