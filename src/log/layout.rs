@@ -17,6 +17,8 @@ pub(super) const ROLL: usize = 17;
 pub(super) const SIGMA: usize = 20;
 /// Letters of a name in messages.
 const SHOWN: usize = 40;
+/// Most columns: the names of all are held against one another.
+const MOST_COLUMNS: usize = 4096;
 /// Names in messages.
 const MOST_SHOWN: usize = 40;
 /// How far from one the length of a quaternion may be in a file without header that is taken for TUM's format.
@@ -148,6 +150,9 @@ impl Reading {
         header: bool,
         asked: Option<&Columns>,
     ) -> Result<Reading, String> {
+        if names.len() > MOST_COLUMNS {
+            return Err(format!("there are {} columns, more than {MOST_COLUMNS}", names.len()));
+        }
         let mut slots: Vec<Option<Slot>> = vec![None; names.len()];
         let in_body_axes = recognise(names, &mut slots);
         if let Some(asked) = asked {

@@ -16,5 +16,5 @@ fn a_thousand_right_logs_get_no_hint() {
 #[test]
 fn twenty_thousand_mutated_logs_are_read_or_refused() {
     let refused = mutate(20_000);
-    assert!(refused > 2000 && refused < 18_000, "{refused}");
+    assert!((10_000..20_000).contains(&refused), "{refused}");
 }
