@@ -124,6 +124,14 @@ words! {
         Solves = "solves",
         /// The error constant on record.
         Constant = "constant",
+        /// The order on record.
+        OrderOnRecord = "order-on-record",
+        /// The error of every run of the same step on record.
+        ErrorOnRecord = "error-on-record",
+        /// The drift of the energy on record.
+        DriftOnRecord = "drift-on-record",
+        /// Evaluations of the forces in every run of the same step on record.
+        WorkOnRecord = "work-on-record",
         /// Runs that converge to the truth, in every scene.
         #[serde(alias = "consistency")]
         Converges = "converges",
@@ -139,6 +147,20 @@ words! {
         ReferencesAgree = "references-agree",
         /// The conventions of a trajectory file.
         Frames = "frames",
+    }
+}
+
+impl ClaimName {
+    /// Whether it compares what was measured with what is on record.
+    pub fn is_on_record(self) -> bool {
+        matches!(
+            self,
+            ClaimName::Constant
+                | ClaimName::OrderOnRecord
+                | ClaimName::ErrorOnRecord
+                | ClaimName::DriftOnRecord
+                | ClaimName::WorkOnRecord
+        )
     }
 }
 

@@ -19,6 +19,7 @@ use rayon::prelude::*;
 
 use crate::gates::{self, Baseline};
 use crate::interrupt;
+use crate::measure::Bounds;
 use crate::record::{Machine, Records, ReferenceEvidence, SCHEMA};
 use crate::reference::{Reference, ReferenceError, stored};
 use crate::scenes::Scene;
@@ -44,6 +45,8 @@ pub struct Campaign<'a> {
     pub baseline: Baseline,
     /// Whether to keep quantities against time, for drawing.
     pub series: bool,
+    /// The bounds of the runs of a scheme in a scene.
+    pub bounds: &'a (dyn Fn(&str, &str) -> Bounds + Sync),
     /// Called as (done, of all) after every piece of work.
     pub progress: &'a (dyn Fn(usize, usize) + Sync),
 }
@@ -58,7 +61,14 @@ struct Prepared<'a> {
 impl Campaign<'_> {
     /// A grid at its plainest: the constants of this version, nothing to draw, nobody to tell.
     pub fn of(scenes: Vec<Scene>, contestants: Vec<Contestant>) -> Campaign<'static> {
-        Campaign { scenes, contestants, baseline: Baseline::built_in(), series: false, progress: &|_, _| () }
+        Campaign {
+            scenes,
+            contestants,
+            baseline: Baseline::built_in(),
+            series: false,
+            bounds: &|_, _| Bounds::default(),
+            progress: &|_, _| (),
+        }
     }
 
     /// Measures and judges the whole grid, or what there was time for.
@@ -89,7 +99,8 @@ impl Campaign<'_> {
             return Some(cell::refused(prepared.scene, contestant, reason));
         }
         let reference = prepared.reference.as_ref()?.as_ref().ok()?;
-        Some(cell::measure(prepared.scene, reference, contestant, &self.baseline, self.series))
+        let bounds = (self.bounds)(&prepared.scene.name, contestant.card.name);
+        Some(cell::measure(prepared.scene, reference, contestant, bounds, &self.baseline, self.series))
     }
 
     fn records(&self, scenes: Vec<(Prepared, Vec<Option<cell::Cell>>)>) -> Records {

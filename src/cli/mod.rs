@@ -1,15 +1,20 @@
 //! The command line: one file a subcommand. Data goes to stdout, talk and progress to stderr.
 //!
-//! No file of a subcommand uses the file of another one: what several need stands in `exit`, `output`, `progress` and `select`.
+//! No file of a subcommand uses the file of another one: what several need stands in `config`, `exit`,
+//! `measured`, `output`, `progress` and `select`.
 
 mod advise;
+mod bless;
 mod compare;
+mod config;
 mod engine;
 mod exit;
 mod gate;
+mod init;
 mod inspect;
 mod judge;
 mod list;
+mod measured;
 mod output;
 mod progress;
 mod reference;
@@ -21,6 +26,7 @@ mod sweep;
 mod stability;
 
 use std::ffi::OsString;
+use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::{Args, Parser, Subcommand};
@@ -58,6 +64,9 @@ struct Everywhere {
     /// No progress and no talk on stderr
     #[arg(long, global = true)]
     quiet: bool,
+    /// Settings [default: polhode.toml, where there is one]
+    #[arg(long, global = true, value_name = "FILE")]
+    config: Option<PathBuf>,
     /// Longest time that a foreign engine may take for an answer
     #[arg(long, global = true, value_name = "SECONDS", default_value_t = 60.0, value_parser = seconds)]
     engine_timeout: f64,
@@ -80,6 +89,10 @@ enum Command {
     Report(report::Options),
     /// Judge every claim; the exit code says whether all hold
     Gate(gate::Options),
+    /// Write a new baseline for the gate, with the reason
+    Bless(bless::Options),
+    /// Write a commented polhode.toml
+    Init(init::Options),
     /// Two schemes, or two records files, side by side; exit code 1 where the second is worse
     Compare(compare::Options),
     /// Run one scheme in one scene and write its states
@@ -140,9 +153,12 @@ fn dispatch(arguments: Arguments) -> Result<u8, Failure> {
     crate::engine::set_patience(Duration::from_secs_f64(everywhere.engine_timeout));
     crate::engine::set_most_memory(everywhere.engine_memory);
     exit::listen_to_interrupts()?;
+    config::Config::load(everywhere.config.as_deref())?;
     let code = match arguments.command.unwrap_or(Command::Report(report::Options::default())) {
         Command::Report(options) => report::report(&options, everywhere.quiet),
         Command::Gate(options) => gate::gate(&options, everywhere.quiet),
+        Command::Bless(options) => bless::bless(&options, everywhere.quiet),
+        Command::Init(options) => init::init(&options),
         Command::Compare(options) => compare::compare(&options, everywhere.quiet),
         Command::Run(options) => run::run(&options, everywhere.quiet),
         Command::Advise(options) => advise::advise(&options),

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::record::{Records, Ruling, Verdict};
+use crate::record::{ClaimName, Records, Ruling, Verdict};
 
 use super::survey::{self, Outcome};
 
@@ -104,7 +104,9 @@ fn red_line(sizes: &Sizes<'_>, cell: &Cell<'_>) -> Option<String> {
         return None;
     }
     let alike = || cell.verdicts.iter().filter(|verdict| Outcome::of(verdict) == outcome);
-    let lead = alike().find(|verdict| verdict.quantity == "body-point").unwrap_or(first);
+    let of_record = || alike().filter(|verdict| verdict.claim == ClaimName::OrderOnRecord);
+    let whole = |verdict: &&&Verdict| verdict.quantity == "body-point";
+    let lead = of_record().find(whole).or(of_record().next()).or(alike().find(whole)).unwrap_or(first);
     let cause = cell.verdicts.iter().find(|verdict| verdict.quantity == "cause");
     let others = cell.verdicts.iter().filter(|verdict| !Outcome::of(verdict).is_green()).count() - 1;
     let more = if others > 0 { format!(" (and {others} more)") } else { String::new() };
@@ -115,6 +117,9 @@ fn red_line(sizes: &Sizes<'_>, cell: &Cell<'_>) -> Option<String> {
     }
     let size = sizes.0.get(&(&*lead.scene, &*lead.scheme, &*lead.quantity));
     let size = size.map_or("", |(_, words)| words);
+    if lead.claim == ClaimName::OrderOnRecord {
+        return Some(format!("{place}{}: {}; {size}{}{more}", lead.quantity, lead.detail, lead.claim));
+    }
     Some(format!("{place}{size}{}, {}: {}{more}", lead.claim, lead.quantity, lead.detail))
 }
 

@@ -5,6 +5,7 @@ mod common;
 
 mod advice;
 mod advise_and_sweep;
+mod baselines;
 mod campaigns;
 mod comparing;
 mod files;
@@ -13,4 +14,5 @@ mod judge;
 mod lists;
 mod reference;
 mod runs;
+mod settings;
 mod stability;
