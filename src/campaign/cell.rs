@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use serde::{Deserialize, Serialize};
+
 use super::rows;
 use crate::claim::Claim;
 use crate::gates::{self, Baseline};
@@ -26,6 +28,7 @@ const SERIES_SAMPLES: u64 = 128;
 const SERIES_STEPS: u64 = 256;
 
 /// The rows of a cell.
+#[derive(Clone, Serialize, Deserialize)]
 pub(super) struct Cell {
     pub(super) measurements: Vec<Measurement>,
     pub(super) orders: Vec<Order>,

@@ -5,6 +5,7 @@
 
 pub(crate) mod cell;
 mod costs;
+mod journal;
 #[cfg(feature = "cli")]
 mod peers;
 mod reduction;
@@ -27,6 +28,7 @@ use crate::simulate::Contestant;
 
 pub(crate) use cell::unmeasured;
 pub(crate) use costs::{SECONDS_A_COST, add_costs, typical_step};
+pub use journal::Journal;
 #[cfg(feature = "cli")]
 pub(crate) use peers::add_peers;
 pub use scaling::Sizes;
@@ -47,6 +49,8 @@ pub struct Campaign<'a> {
     pub series: bool,
     /// The bounds of the runs of a scheme in a scene.
     pub bounds: &'a (dyn Fn(&str, &str) -> Bounds + Sync),
+    /// Finished cells on disk, where they are kept.
+    pub journal: Option<&'a Journal>,
     /// Called as (done, of all) after every piece of work.
     pub progress: &'a (dyn Fn(usize, usize) + Sync),
 }
@@ -67,6 +71,7 @@ impl Campaign<'_> {
             baseline: Baseline::built_in(),
             series: false,
             bounds: &|_, _| Bounds::default(),
+            journal: None,
             progress: &|_, _| (),
         }
     }
@@ -100,7 +105,22 @@ impl Campaign<'_> {
         }
         let reference = prepared.reference.as_ref()?.as_ref().ok()?;
         let bounds = (self.bounds)(&prepared.scene.name, contestant.card.name);
-        Some(cell::measure(prepared.scene, reference, contestant, bounds, &self.baseline, self.series))
+        let measure =
+            || cell::measure(prepared.scene, reference, contestant, bounds, &self.baseline, self.series);
+        let Some(journal) = self.journal else { return Some(measure()) };
+        let (scene, card) = (prepared.scene, &contestant.card);
+        let known_as = contestant.program().map_or(String::new(), |program| program.name);
+        let what = (&scene.name, scene.content(), card.name, known_as, bounds, &card.claims, self.series);
+        let key = format!("{what:?}");
+        if let Some(known) = journal.find(&key) {
+            let verdicts = gates::judge(&known.evidence, &self.baseline);
+            return Some(cell::Cell { verdicts, ..known.clone() });
+        }
+        let cell = measure();
+        if !interrupt::requested() {
+            journal.add(key, &cell);
+        }
+        Some(cell)
     }
 
     fn records(&self, scenes: Vec<(Prepared, Vec<Option<cell::Cell>>)>) -> Records {

@@ -6,7 +6,7 @@ use super::Failure;
 use super::config::Config;
 use super::progress::with_bar;
 use super::select::Selection;
-use crate::campaign::Campaign;
+use crate::campaign::{Campaign, Journal};
 use crate::gates::Baseline;
 use crate::record::Records;
 
@@ -29,6 +29,7 @@ pub(super) fn measured(
     selection: &Selection,
     order: Option<u32>,
     baseline: Baseline,
+    journal: Option<&Journal>,
     quiet: bool,
 ) -> Result<Records, Failure> {
     let config = Config::current();
@@ -39,6 +40,6 @@ pub(super) fn measured(
     let grid = Campaign::of(selection.scenes()?, contestants);
     let bounds = |scene: &str, _: &str| config.bounds(scene);
     Ok(with_bar(quiet, "measuring", |progress| {
-        Campaign { baseline, bounds: &bounds, progress, ..grid }.run()
+        Campaign { baseline, bounds: &bounds, journal, progress, ..grid }.run()
     }))
 }

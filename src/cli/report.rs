@@ -5,11 +5,12 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::Failure;
-use super::output::{Force, print};
+use super::output::{Force, painted, print};
 use super::progress::{with_bar, with_tasks};
 use super::select::Selection;
 use crate::campaign::{Sizes, Survey};
 use crate::gates;
+use crate::interrupt;
 use crate::report;
 
 /// Options of `polhode report`.
@@ -61,11 +62,19 @@ pub(super) fn report(options: &Options, quiet: bool) -> Result<u8, Failure> {
     let pages = if options.brief { &["report.md"][..] } else { &["report.md", "index.html", "records.csv"] };
     report::try_folder(&out, "records.json", pages, options.force.given)?;
     let records = with_tasks(quiet, |progress| Survey { progress, ..survey }.run());
-    let write = if options.brief { report::write_brief } else { report::write };
+    let write = match (interrupt::requested(), options.brief) {
+        (true, _) => report::write_rows,
+        (false, true) => report::write_brief,
+        (false, false) => report::write,
+    };
     with_bar(quiet, "drawing", |progress| write(&records, &out, progress))?;
-    print(&report::verdict_table(&records, false))?;
+    print(&painted(&report::verdict_table(&records, false)))?;
     if !quiet {
-        let page = if options.brief { "report.md" } else { "index.html" };
+        let page = match (interrupt::requested(), options.brief) {
+            (true, _) => "records.json",
+            (false, true) => "report.md",
+            (false, false) => "index.html",
+        };
         eprintln!("polhode: the report is {}", out.join(page).display());
     }
     Ok(gates::exit_code(&records.verdicts))

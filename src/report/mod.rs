@@ -3,6 +3,7 @@
 //! This module reads [`Records`] only. It never runs a scheme: a picture cannot redo a calculation, and a report
 //! can be made again from a `records.json` alone.
 
+mod dashboard;
 mod engines;
 mod folder;
 mod github;
@@ -14,7 +15,9 @@ mod page;
 mod plot;
 mod published;
 mod ranking;
+mod sarif;
 mod stability;
+mod step_summary;
 mod survey;
 mod template;
 mod text;
@@ -28,12 +31,15 @@ use rayon::prelude::*;
 
 use crate::record::{RecordError, Records, WholeFile, write_csv, write_json, write_whole};
 
+pub use dashboard::{MARK as DASHBOARD_MARK, bencher, smaller_is_better};
 pub use folder::try_folder;
 pub use github::annotations;
 pub use junit::junit;
 pub use plot::{heat_map, line_chart};
 pub use published::write_published;
+pub use sarif::{MARK as SARIF_MARK, sarif};
 pub use stability::{table as stability_table, write as write_stability};
+pub use step_summary::{MARK as SUMMARY_MARK, step_summary};
 pub use text::verdict_table;
 
 use folder::Folder;
@@ -108,6 +114,23 @@ pub fn write(
     write_page(&out.join("report.md"), |file| markdown::render(&page, file))?;
     write_page(&out.join("index.html"), |file| html::render(&page, file))?;
     Ok(folder.finish(&names(&pages, figures.iter().map(|figure| &figure.subject)))?)
+}
+
+/// Writes `records.json` and `records.csv` alone: a run that the user ended is not worth drawing, and the user waits.
+///
+/// # Errors
+/// A file cannot be written.
+pub fn write_rows(
+    records: &Records,
+    out: &Path,
+    _progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<(), ReportError> {
+    let folder = Folder::open(out, "records.json")?;
+    let files = names(&["records.json", "records.csv"], std::iter::empty());
+    folder.begin(&files)?;
+    write_json(&out.join("records.json"), records)?;
+    write_csv(&out.join("records.csv"), records)?;
+    Ok(folder.finish(&files)?)
 }
 
 /// Writes what a repository can hold: `report.md`, the key pictures, and a `records.json` of orders, drifts and

@@ -154,6 +154,7 @@ const EDGES: &[(&str, &[&str])] = &[
 const STUDIES: &[(&str, &[&str])] = &[
     ("cause", &[]),
     ("cost", &[]),
+    ("expect", &[]),
     ("precision", &[]),
     ("published", &[]),
     ("ensemble", &[]),

@@ -1,15 +1,18 @@
 //! `polhode gate`: judge every claim.
 
+mod written;
+
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use self::written::Written;
 use super::Failure;
 use super::measured;
-use super::output::{Force, print};
+use super::output::{painted, print};
 use super::select::Selection;
 use crate::gates::{self, Baseline};
-use crate::record::{self, ClaimName, Records, Ruling, Verdict};
+use crate::record::{ClaimName, Records, Ruling, Verdict};
 use crate::report;
 
 /// Options of `polhode gate`.
@@ -28,17 +31,11 @@ pub(super) struct Options {
     /// Judge the evidence of this records file; nothing is run
     #[arg(long, value_name = "RECORDS", conflicts_with_all = ["schemes", "places", "named", "order"])]
     from: Option<PathBuf>,
-    /// Write a JUnit report
-    #[arg(long, value_name = "FILE")]
-    junit: Option<PathBuf>,
-    /// Write annotations for GitHub Actions to stdout
-    #[arg(long)]
-    github: bool,
-    /// Write the records
-    #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
     #[command(flatten)]
-    force: Force,
+    written: Written,
+    /// Go on where a killed run with the same --json stopped
+    #[arg(long, requires = "json", conflicts_with = "from")]
+    resume: bool,
     /// Print what was judged of each scheme in each scene, ten lines at most
     #[arg(long)]
     verbose: bool,
@@ -58,27 +55,34 @@ Exit code: 0 every claim holds or is a known deviation, 1 one fails, 2 one is un
 nothing was judged.";
 
 pub(super) fn gate(options: &Options, quiet: bool) -> Result<u8, Failure> {
-    options.force.try_json(options.json.as_ref())?;
-    options.force.try_place(options.junit.as_ref(), |head| head.contains("<testsuites name=\"polhode\""))?;
+    options.written.try_places()?;
     let file = measured::baseline_file(options.baseline.as_ref());
     let baseline = measured::baseline(file)?;
     let partners = file.is_some().then(|| baseline.clone());
     let records = match &options.from {
         Some(path) => stored(path, &baseline)?,
-        None => measured::measured(&options.selection, options.order, baseline, quiet)?,
+        None => {
+            let measure = |journal| {
+                measured::measured(&options.selection, options.order, baseline.clone(), journal, quiet)
+            };
+            return options.written.with_journal(options.resume, quiet, |journal| {
+                let records = measure(journal)?;
+                judged(options, partners.as_ref(), &records)
+            });
+        }
     };
-    if let Some(path) = &options.json {
-        record::write_json(path, &records)?;
-    }
-    if let Some(path) = &options.junit {
-        record::write_whole(path, report::junit(&records).as_bytes())?;
-    }
-    print(&report::verdict_table(&records, options.verbose))?;
-    if options.github {
-        print(&report::annotations(&records))?;
+    judged(options, partners.as_ref(), &records)
+}
+
+/// Writes and prints what was judged.
+fn judged(options: &Options, partners: Option<&Baseline>, records: &Records) -> Result<u8, Failure> {
+    options.written.write(records)?;
+    print(&painted(&report::verdict_table(records, options.verbose)))?;
+    if options.written.github {
+        print(&report::annotations(records))?;
     }
     let code = gates::exit_code(&records.verdicts);
-    let compared = partners.is_none_or(|baseline| has_partners(&baseline, &records));
+    let compared = partners.is_none_or(|baseline| has_partners(baseline, records));
     Ok(if code == 0 && !compared { 2 } else { code })
 }
 
