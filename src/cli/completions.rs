@@ -46,7 +46,7 @@ fn man(folder: &Path, command: &Command, name: &str) -> Result<(), Failure> {
     record::try_place(&path, false, |head| head.contains(".TH polhode"))?;
     let mut page = Vec::new();
     let fail = |source| Failure::Write { name: path.display().to_string(), source };
-    clap_mangen::Man::new(command.clone().name(name.to_owned())).render(&mut page).map_err(fail)?;
+    clap_mangen::Man::new(command.clone()).render(&mut page).map_err(fail)?;
     record::write_whole(&path, &page)?;
     let own = command.get_subcommands().filter(|one| !one.is_hide_set() && one.get_name() != "help");
     own.into_iter().try_for_each(|one| man(folder, one, &format!("{name}-{}", one.get_name())))

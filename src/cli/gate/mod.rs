@@ -11,6 +11,7 @@ use super::Failure;
 use super::measured;
 use super::output::{painted, print};
 use super::select::Selection;
+use crate::campaign::Journal;
 use crate::gates::{self, Baseline};
 use crate::record::{ClaimName, Records, Ruling, Verdict};
 use crate::report;
@@ -62,7 +63,7 @@ pub(super) fn gate(options: &Options, quiet: bool) -> Result<u8, Failure> {
     let records = match &options.from {
         Some(path) => stored(path, &baseline)?,
         None => {
-            let measure = |journal| {
+            let measure = |journal: Option<&Journal>| {
                 measured::measured(&options.selection, options.order, baseline.clone(), journal, quiet)
             };
             return options.written.with_journal(options.resume, quiet, |journal| {

@@ -79,7 +79,8 @@ fn forces(options: &Options) -> Result<String, Failure> {
     }
     let Some(name) = &options.name else {
         if options.format == Format::Json {
-            let parameters = Law::ALL.iter().flat_map(|law| law.parameters.iter().map(move |one| (law, one)));
+            let laws = Law::ALL;
+            let parameters = laws.iter().flat_map(|law| law.parameters.iter().map(move |one| (law, one)));
             let row = |(law, one): (&crate::model::forces::Described, &crate::model::forces::Parameter)| {
                 let default = one.default.as_ref().map_or(String::new(), ToString::to_string);
                 [law.name, one.key, one.unit, &default, one.what].map(str::to_owned)
