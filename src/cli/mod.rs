@@ -48,7 +48,7 @@ struct Arguments {
 }
 
 const CODES: &str = "\
-Exit codes: 0 all holds, 1 a claim failed, 2 undecided, 64 wrong usage, 65 bad input, 69 no engine, 74 a file.";
+Exit codes: 0 all holds, 1 a claim failed, 2 undecided, 64 usage, 65 bad input, 69 no engine, 74 a file";
 
 /// Options of every subcommand.
 #[derive(Args)]

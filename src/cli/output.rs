@@ -14,7 +14,7 @@ use crate::record;
 #[derive(Args, Clone, Copy, Debug, Default)]
 pub(super) struct Force {
     /// Overwrite files that this program did not write
-    #[arg(long = "force")]
+    #[arg(long = "force", hide_short_help = true)]
     pub(super) given: bool,
 }
 

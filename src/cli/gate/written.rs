@@ -23,16 +23,16 @@ pub(super) struct Written {
     #[arg(long, value_name = "FILE")]
     junit: Option<PathBuf>,
     /// Write a summary in Markdown, what got worse first
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, hide_short_help = true, value_name = "FILE")]
     markdown: Option<PathBuf>,
     /// Write SARIF 2.1.0
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, hide_short_help = true, value_name = "FILE")]
     sarif: Option<PathBuf>,
     /// Write constants, drift and work for github-action-benchmark (customSmallerIsBetter)
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, hide_short_help = true, value_name = "FILE")]
     benchmark: Option<PathBuf>,
     /// Write the same for Bencher
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, hide_short_help = true, value_name = "FILE")]
     bencher: Option<PathBuf>,
     /// Annotate for GitHub Actions on stdout, and add the summary to $GITHUB_STEP_SUMMARY
     #[arg(long)]
