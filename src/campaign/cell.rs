@@ -2,10 +2,12 @@
 
 use std::sync::Arc;
 
+use serde::{Deserialize, Serialize};
+
 use super::{against_time, rows};
 use crate::claim::Claim;
 use crate::gates::{self, Baseline};
-use crate::measure::{self, Climbed, Decision, Rung};
+use crate::measure::{self, Bounds, Climbed, Decision, Rung};
 use crate::model::Quantity;
 use crate::model::body::Shape;
 use crate::record::stability::LinearLimit;
@@ -26,6 +28,7 @@ const SERIES_SAMPLES: u64 = 128;
 const SERIES_STEPS: u64 = 256;
 
 /// The rows of a cell.
+#[derive(Clone, Serialize, Deserialize)]
 pub(super) struct Cell {
     pub(super) measurements: Vec<Measurement>,
     pub(super) orders: Vec<Order>,
@@ -40,13 +43,14 @@ pub(super) fn measure(
     scene: &Scene,
     reference: &Reference,
     contestant: &Contestant,
+    bounds: Bounds,
     baseline: &Baseline,
     series: bool,
 ) -> Cell {
     if let Some(reason) = contestant.refusal(&scene.system) {
         return refused(scene, contestant, &reason);
     }
-    let climbed = climb(scene, reference, contestant);
+    let climbed = climb(scene, reference, contestant, bounds);
     if let Some(reason) = climbed.refusal() {
         return refused(scene, contestant, reason);
     }
@@ -130,11 +134,11 @@ pub(crate) fn unmeasured(scene: &Scene, contestant: &Contestant) -> Evidence {
 }
 
 /// The ladder of the order that the scheme claims in the scene, with the likeliest cause where a program solves another motion.
-fn climb(scene: &Scene, reference: &Reference, contestant: &Contestant) -> Climbed {
+fn climb(scene: &Scene, reference: &Reference, contestant: &Contestant, bounds: Bounds) -> Climbed {
     let (system, card) = (&scene.system, &contestant.card);
     let order = if system.torque_free() { card.order_without_torque() } else { card.order() };
     let order = scene.not_for_order.is_none().then_some(order);
-    let mut climbed = measure::climb(contestant, system, reference, order);
+    let mut climbed = measure::climb_within(contestant, system, reference, order, bounds);
     if contestant.is_foreign() && goes_elsewhere(&climbed) {
         let [finest, before] = &climbed.finest;
         let cause = cause::likeliest_cause(system, &climbed.truth, finest, before);

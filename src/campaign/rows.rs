@@ -62,6 +62,7 @@ pub(super) fn scene(
     SceneRow {
         name: scene.name.clone(),
         content: scene.content(),
+        file: scene.file.clone(),
         title: scene.title.clone(),
         why: scene.why.clone(),
         duration_s: scene.duration,

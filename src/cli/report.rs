@@ -5,11 +5,12 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::Failure;
-use super::output::{Force, print};
+use super::output::{Force, painted, print};
 use super::progress::{with_bar, with_tasks};
 use super::select::Selection;
 use crate::campaign::{Sizes, Survey};
 use crate::gates;
+use crate::interrupt;
 use crate::record::{Capsule, Records, write_json};
 use crate::report::{self, Language, Pictures};
 
@@ -113,13 +114,18 @@ fn measured(options: &Options, quiet: bool) -> Result<Records, Failure> {
 
 fn draw(options: &Options, records: &Records, out: &Path, quiet: bool) -> Result<(), Failure> {
     let pictures = if options.svg { Pictures::PngAndSvg } else { Pictures::Png };
-    with_bar(quiet, "drawing", |progress| match options.brief {
-        true => report::write_brief(records, out, progress),
-        false => report::write_with(records, out, pictures, progress),
+    with_bar(quiet, "drawing", |progress| match (interrupt::requested(), options.brief) {
+        (true, _) => report::write_rows(records, out),
+        (false, true) => report::write_brief(records, out, progress),
+        (false, false) => report::write_with(records, out, pictures, progress),
     })?;
-    print(&report::verdict_table(records, false))?;
+    print(&painted(&report::verdict_table(records, false)))?;
     if !quiet {
-        let page = if options.brief { "report.md" } else { "index.html" };
+        let page = match (interrupt::requested(), options.brief) {
+            (true, _) => "records.json",
+            (false, true) => "report.md",
+            (false, false) => "index.html",
+        };
         eprintln!("polhode: the report is {}", out.join(page).display());
     }
     Ok(())

@@ -19,6 +19,7 @@ mod packed;
 #[cfg(feature = "cli")]
 mod place;
 mod precision;
+mod provenance;
 mod published;
 mod subjects;
 #[cfg(feature = "cli")]
@@ -43,8 +44,9 @@ pub(crate) use findings::TIME_DIGITS;
 pub use findings::{Drift, DriftClass, Measurement, Order, OrderStatus, RunStatus, Series};
 pub use numbers::to_digits;
 #[cfg(feature = "cli")]
-pub(crate) use place::{is_own_json, try_place};
+pub(crate) use place::{is_own_baseline, is_own_json, try_place};
 pub use precision::{GrowsAs, Growth, PrecisionRow, PrecisionRun, Reach};
+pub use provenance::Provenance;
 pub use published::{Agreement, PublishedRow, Sureness, last_digit};
 pub use subjects::{ReferenceRow, SceneRow, SchemeRow};
 #[cfg(feature = "cli")]
@@ -70,6 +72,9 @@ pub struct Records {
     /// False where the campaign was interrupted: the rows present are whole, others are missing.
     #[serde(default)]
     pub complete: bool,
+    /// Where these records are a baseline: who made it and why, and those that it replaced, the newest first.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub provenance: Vec<Provenance>,
     /// The scenes, in the order of the campaign.
     #[serde(default)]
     pub scenes: Vec<SceneRow>,

@@ -10,6 +10,9 @@ pub struct SceneRow {
     /// Fingerprint of body, forces, start and duration.
     #[serde(default)]
     pub content: String,
+    /// File that it was read from, as the user named it.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub file: String,
     /// One line.
     pub title: String,
     /// Why the scene is in the list.

@@ -4,6 +4,7 @@
 //! can be made again from a `records.json` alone.
 
 mod brief;
+mod dashboard;
 mod engines;
 mod folder;
 mod github;
@@ -16,7 +17,9 @@ mod paper;
 mod plot;
 mod published;
 mod ranking;
+mod sarif;
 mod stability;
+mod step_summary;
 mod survey;
 mod template;
 mod text;
@@ -31,13 +34,16 @@ use rayon::prelude::*;
 use crate::record::{CSV_FILES, RecordError, Records, WholeFile, write_csv, write_json, write_whole};
 
 pub use brief::write_brief;
+pub use dashboard::{MARK as DASHBOARD_MARK, bencher, smaller_is_better};
 pub use folder::try_folder;
 pub use github::annotations;
 pub use junit::junit;
 pub use paper::{Language, paper_tables};
 pub use plot::{heat_map, line_chart};
 pub use published::write_published;
+pub use sarif::{MARK as SARIF_MARK, sarif};
 pub use stability::{table as stability_table, write as write_stability};
+pub use step_summary::{MARK as SUMMARY_MARK, step_summary};
 pub use text::verdict_table;
 
 use folder::Folder;
@@ -137,6 +143,19 @@ pub fn write_with(
     if pictures == Pictures::PngAndSvg {
         files.extend(write_vectors(records, &main, &subjects, out)?);
     }
+    Ok(folder.finish(&files)?)
+}
+
+/// Writes `records.json` and `records.csv` alone: a run that the user ended is not worth drawing, and the user waits.
+///
+/// # Errors
+/// A file cannot be written.
+pub fn write_rows(records: &Records, out: &Path) -> Result<(), ReportError> {
+    let folder = Folder::open(out, "records.json")?;
+    let files = names(&["records.json", "records.csv"], std::iter::empty());
+    folder.begin(&files)?;
+    write_json(&out.join("records.json"), records)?;
+    write_csv(&out.join("records.csv"), records)?;
     Ok(folder.finish(&files)?)
 }
 

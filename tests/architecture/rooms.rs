@@ -170,6 +170,7 @@ const EDGES: &[(&str, &[&str])] = &[
 const STUDIES: &[(&str, &[&str])] = &[
     ("cause", &[]),
     ("cost", &[]),
+    ("expect", &[]),
     ("precision", &[]),
     ("published", &[]),
     ("ensemble", &[]),

@@ -51,6 +51,7 @@ fn scheme_rows() -> Vec<SchemeRow> {
 fn scene_row(index: usize) -> SceneRow {
     let free = index.is_multiple_of(3);
     SceneRow {
+        file: String::new(),
         name: format!("scene-{index:02}"),
         content: format!("{index:02}"),
         title: format!("Scene {index}: a body <turned> by \"springs\" & gravity"),

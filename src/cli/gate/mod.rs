@@ -1,16 +1,19 @@
 //! `polhode gate`: judge every claim.
 
+mod written;
+
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use self::written::Written;
 use super::Failure;
-use super::output::{Force, print};
-use super::progress::with_bar;
+use super::measured;
+use super::output::{painted, print};
 use super::select::Selection;
-use crate::campaign::Campaign;
+use crate::campaign::Journal;
 use crate::gates::{self, Baseline};
-use crate::record::{self, ClaimName, Records, Verdict};
+use crate::record::{ClaimName, Records, Ruling, Verdict};
 use crate::report;
 
 /// Options of `polhode gate`.
@@ -19,7 +22,8 @@ use crate::report;
 pub(super) struct Options {
     #[command(flatten)]
     selection: Selection,
-    /// Records whose error constants must be met to 1 %, and the error of every run [default: those on record for the built-in scenes]
+    /// Baseline that orders, constants, errors, drift and work are compared with [default: that of polhode.toml, else the
+    /// constants on record]
     #[arg(long, value_name = "FILE")]
     baseline: Option<PathBuf>,
     /// Hold every scheme to this order, in the place of what it claims
@@ -28,17 +32,11 @@ pub(super) struct Options {
     /// Judge the evidence of this records file; nothing is run
     #[arg(long, value_name = "RECORDS", conflicts_with_all = ["schemes", "places", "named", "order"])]
     from: Option<PathBuf>,
-    /// Write a JUnit report
-    #[arg(long, value_name = "FILE")]
-    junit: Option<PathBuf>,
-    /// Write annotations for GitHub Actions to stdout
-    #[arg(long)]
-    github: bool,
-    /// Write the records
-    #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
     #[command(flatten)]
-    force: Force,
+    written: Written,
+    /// Go on where a killed run with the same --json stopped
+    #[arg(long, requires = "json", conflicts_with = "from")]
+    resume: bool,
     /// Print what was judged of each scheme in each scene, ten lines at most
     #[arg(long)]
     verbose: bool,
@@ -58,39 +56,35 @@ Exit code: 0 every claim holds or is a known deviation, 1 one fails, 2 one is un
 nothing was judged.";
 
 pub(super) fn gate(options: &Options, quiet: bool) -> Result<u8, Failure> {
-    options.force.try_json(options.json.as_ref())?;
-    options.force.try_place(options.junit.as_ref(), |head| head.contains("<testsuites name=\"polhode\""))?;
-    let baseline = match &options.baseline {
-        Some(path) => Baseline::from_records(&Records::read(path)?),
-        None => Baseline::built_in(),
-    };
-    let partners = options.baseline.is_some().then(|| baseline.clone());
+    options.written.try_places()?;
+    let file = measured::baseline_file(options.baseline.as_ref());
+    let baseline = measured::baseline(file)?;
+    let partners = file.is_some().then(|| baseline.clone());
     let records = match &options.from {
         Some(path) => stored(path, &baseline)?,
-        None => measured(options, quiet, baseline)?,
+        None => {
+            let measure = |journal: Option<&Journal>| {
+                measured::measured(&options.selection, options.order, baseline.clone(), journal, quiet)
+            };
+            return options.written.with_journal(options.resume, quiet, |journal| {
+                let records = measure(journal)?;
+                judged(options, partners.as_ref(), &records)
+            });
+        }
     };
-    if let Some(path) = &options.json {
-        record::write_json(path, &records)?;
-    }
-    if let Some(path) = &options.junit {
-        record::write_whole(path, report::junit(&records).as_bytes())?;
-    }
-    print(&report::verdict_table(&records, options.verbose))?;
-    if options.github {
-        print(&report::annotations(&records))?;
-    }
-    let code = gates::exit_code(&records.verdicts);
-    let compared = partners.is_none_or(|baseline| has_partners(&baseline, &records));
-    Ok(if code == 0 && !compared { 2 } else { code })
+    judged(options, partners.as_ref(), &records)
 }
 
-fn measured(options: &Options, quiet: bool, baseline: Baseline) -> Result<Records, Failure> {
-    let mut contestants = options.selection.contestants(false)?;
-    if let Some(order) = options.order {
-        contestants = contestants.into_iter().map(|contestant| contestant.claiming(order)).collect();
+/// Writes and prints what was judged.
+fn judged(options: &Options, partners: Option<&Baseline>, records: &Records) -> Result<u8, Failure> {
+    options.written.write(records)?;
+    print(&painted(&report::verdict_table(records, options.verbose)))?;
+    if options.written.github {
+        print(&report::annotations(records))?;
     }
-    let grid = Campaign::of(options.selection.scenes()?, contestants);
-    Ok(with_bar(quiet, "measuring", |progress| Campaign { baseline, progress, ..grid }.run()))
+    let code = gates::exit_code(&records.verdicts);
+    let compared = partners.is_none_or(|baseline| has_partners(baseline, records));
+    Ok(if code == 0 && !compared { 2 } else { code })
 }
 
 /// The verdicts on stored evidence.
@@ -115,12 +109,25 @@ fn has_partners(baseline: &Baseline, records: &Records) -> bool {
         eprintln!("polhode: nothing was compared with the baseline: no scene and scheme of it was measured");
         return false;
     }
-    let measured = || records.orders.iter().filter(|row| row.constant.is_some());
-    let compared = measured().filter(|row| {
-        let is_of =
-            |v: &&Verdict| (&v.scene, &v.scheme, &v.quantity) == (&row.scene, &row.scheme, &row.quantity);
-        records.verdicts.iter().filter(is_of).any(|v| v.claim == ClaimName::Constant && v.measured.is_some())
-    });
-    eprintln!("baseline: {} of {} constants compared", compared.count(), measured().count());
+    said_of(records).iter().for_each(|line| eprintln!("baseline: {line}"));
     true
+}
+
+/// How many of each kind were compared, a line each.
+fn said_of(records: &Records) -> Vec<String> {
+    let of = |claim: ClaimName| records.verdicts.iter().filter(move |verdict| verdict.claim == claim);
+    let is_compared =
+        |verdict: &&Verdict| !matches!(verdict.verdict, Ruling::NotApplicable | Ruling::Inconclusive);
+    let line = |claim: ClaimName, what: &str| {
+        let (all, compared) = (of(claim).count(), of(claim).filter(is_compared).count());
+        (all > 0).then(|| format!("{compared} of {all} {what} compared"))
+    };
+    let kinds = [
+        (ClaimName::OrderOnRecord, "orders"),
+        (ClaimName::Constant, "constants"),
+        (ClaimName::ErrorOnRecord, "quantities over all runs"),
+        (ClaimName::DriftOnRecord, "drifts"),
+        (ClaimName::WorkOnRecord, "counts of work"),
+    ];
+    kinds.into_iter().filter_map(|(claim, what)| line(claim, what)).collect()
 }

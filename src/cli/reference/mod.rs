@@ -1,17 +1,17 @@
 //! `polhode reference`: the motion of a scene to many digits.
 
-use std::fmt::Write as _;
+mod printed;
+
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 
 use super::output::{Force, print};
 use super::{Failure, exit, select};
-use crate::model::Quantity;
 use crate::ode::SolverError;
 use crate::record;
 use crate::reference::Stored;
-use crate::reference::precise::{self, DoubleDouble, MOST_DIGITS, Moment, Motion, decimal};
+use crate::reference::precise::{self, MOST_DIGITS};
 use crate::scenes::Scene;
 
 /// Options of `polhode reference`.
@@ -23,6 +23,15 @@ pub(super) struct Options {
     /// Significant digits, at most 30
     #[arg(long, value_name = "N", default_value_t = 25, value_parser = digits)]
     digits: usize,
+    /// Times [s] [default: a quarter, half, three quarters and all of the duration]
+    #[arg(long, value_name = "T,T,…", value_delimiter = ',', conflicts_with = "out")]
+    times: Vec<f64>,
+    /// Every H seconds to the end of the duration
+    #[arg(long, value_name = "H", conflicts_with_all = ["times", "out"])]
+    every: Option<f64>,
+    /// Form of the solution
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
     /// Write the solution as a file for references/solutions too
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -30,16 +39,27 @@ pub(super) struct Options {
     force: Force,
 }
 
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Format {
+    Text,
+    Json,
+    Csv,
+}
+
 const EXAMPLES: &str = "\
 Examples:
   polhode reference kovalevskaya
   polhode reference my-body.toml --digits 20
+  polhode reference kovalevskaya --every 0.1 --format csv
   polhode reference dipole-in-field --digits 30 --out references/solutions/dipole-in-field.json
 
-Prints X_cm, U_cm, R row by row, Omega and L at T/4, T/2, 3T/4 and T, each with a bound of its error, from a Taylor
-series in double-double arithmetic and a second one of another order and other steps.
+Prints X_cm, U_cm, R row by row, its quaternion, Omega and L, each with a bound of its error, rounding of the
+digits included, from a Taylor series in double-double arithmetic and a second one of another order and other steps.
 
 Exit code: 0 every digit that was asked for is certain, 2 fewer are (then only those are given).";
+
+/// Most times of a solution.
+const MOST_TIMES: usize = 100_000;
 
 /// Work of a run that a user waits for: minutes. Ctrl-C ends it.
 const PATIENCE: f64 = 1e12;
@@ -54,7 +74,7 @@ fn digits(text: &str) -> Result<usize, String> {
 pub(super) fn reference(options: &Options, quiet: bool) -> Result<u8, Failure> {
     options.force.try_json(options.out.as_ref())?;
     let scene = Scene::find(options.scene.name())?;
-    let times = [0.25, 0.5, 0.75, 1.0].map(|part| part * scene.duration);
+    let times = times(options, scene.duration)?;
     let motion = match precise::solve(&scene.system, &times, PATIENCE) {
         Ok(motion) => motion,
         Err(SolverError::Interrupted) => return Ok(exit::INTERRUPTED),
@@ -65,7 +85,7 @@ pub(super) fn reference(options: &Options, quiet: bool) -> Result<u8, Failure> {
     if digits == 0 {
         return Err(Failure::Model(format!("{}: no digit of the solution is certain", scene.name)));
     }
-    print(&text(&scene, &motion, digits))?;
+    print(&printed::solution(options.format, &scene, &motion, digits))?;
     if let Some(path) = &options.out {
         let stored = Stored::of(&scene.name, &scene.system, &motion, digits);
         let text = stored.text().map_err(|error| Failure::Model(format!("{}: {error}", scene.name)))?;
@@ -77,41 +97,25 @@ pub(super) fn reference(options: &Options, quiet: bool) -> Result<u8, Failure> {
     Ok(if digits < options.digits { exit::UNDECIDED } else { 0 })
 }
 
-/// Every quantity at every time, with its bound.
-fn text(scene: &Scene, motion: &Motion, digits: usize) -> String {
-    let [(order, steps), (other, other_steps)] = motion.runs;
-    let mut text = format!(
-        "{}: {digits} digits; Taylor series of order {order}, {steps} steps; error bounds from a second one of order \
-         {other}, {other_steps} steps\n",
-        scene.name
-    );
-    if motion.switches > 0 {
-        let _ = writeln!(text, "Contacts with the ground made or lost on the way: {}", motion.switches);
-    }
-    for moment in &motion.moments {
-        text += &format!("\nt = {} s\n", moment.time);
-        for (name, vectors, quantity) in rows(moment) {
-            let bound = moment.bound(quantity);
-            let _ = writeln!(text, "  {name}, within {bound:.1e} {}", quantity.unit());
-            for vector in vectors {
-                let numbers = decimal::write_vector(&vector, bound, digits);
-                let numbers = numbers.map(|x| format!("{x:>width$}", width = digits + 4));
-                let _ = writeln!(text, "    {}", numbers.join("  "));
-            }
+/// Increasing times.
+fn times(options: &Options, duration: f64) -> Result<Vec<f64>, Failure> {
+    if let Some(every) = options.every {
+        let count = (duration / every * (1.0 + 1e-12)).floor();
+        if !(every > 0.0 && (1.0..=MOST_TIMES as f64).contains(&count)) {
+            let least = duration / MOST_TIMES as f64;
+            let expected = format!("expected {least:e} to {duration} s, the duration");
+            return Err(Failure::Usage(format!("--every {every}: {expected}")));
         }
+        return Ok((1..=count as u64).map(|index| index as f64 * every).collect());
     }
-    text
-}
-
-type Row = (&'static str, Vec<[DoubleDouble; 3]>, Quantity);
-
-fn rows(moment: &Moment) -> [Row; 5] {
-    let axes = (0..3).map(|row| [0, 1, 2].map(|column: usize| moment.axes[column][row])).collect();
-    [
-        ("X_cm [m]", vec![moment.position], Quantity::Position),
-        ("U_cm [m/s]", vec![moment.velocity], Quantity::Velocity),
-        ("R, body to world axes", axes, Quantity::Orientation),
-        ("Omega [rad/s]", vec![moment.angular_velocity], Quantity::AngularVelocity),
-        ("L [kg m²/s]", vec![moment.angular_momentum], Quantity::AngularMomentum),
-    ]
+    let mut times = options.times.clone();
+    if let Some(wrong) = times.iter().find(|time| !(**time > 0.0 && time.is_finite())) {
+        return Err(Failure::Usage(format!("--times {wrong}: expected times above 0 s")));
+    }
+    if times.is_empty() {
+        times = [0.25, 0.5, 0.75, 1.0].map(|part| part * duration).to_vec();
+    }
+    times.sort_by(f64::total_cmp);
+    times.dedup();
+    Ok(times)
 }
