@@ -5,6 +5,7 @@
 
 pub(crate) mod cell;
 mod costs;
+mod motions;
 #[cfg(feature = "cli")]
 mod peers;
 mod reduction;
@@ -28,6 +29,7 @@ pub(crate) use cell::unmeasured;
 pub(crate) use costs::{SECONDS_A_COST, add_costs, typical_step};
 #[cfg(feature = "cli")]
 pub(crate) use peers::add_peers;
+pub(crate) use motions::motion;
 pub use scaling::Sizes;
 pub use survey::{Survey, Task};
 

@@ -10,6 +10,7 @@ use super::progress::{with_bar, with_tasks};
 use super::select::Selection;
 use crate::campaign::{Sizes, Survey};
 use crate::gates;
+use crate::record::Records;
 use crate::report;
 
 /// Options of `polhode report`.
@@ -29,12 +30,20 @@ pub(super) struct Options {
     /// Only what a repository can hold: report.md, key pictures, and records without the runs behind them
     #[arg(long)]
     brief: bool,
+    /// Draw these records; nothing is run
+    #[arg(long, value_name = "RECORDS", conflicts_with_all = ["schemes", "places", "named", "full"])]
+    from: Option<PathBuf>,
+    /// One page with everything in it, in the place of a folder of pages
+    #[arg(long, conflicts_with = "brief")]
+    single_file: bool,
 }
 
 const EXAMPLES: &str = "\
 Examples:
   polhode report                                   into reports/latest: index.html, report.md, plots
   polhode report kovalevskaya                      into reports/kovalevskaya
+  polhode report --from reports/latest/records.json --out reports/again
+  polhode report --single-file --out reports/one   one page to send
   polhode report --scene my-body.toml --scheme peskin-rk2";
 
 /// The selection; where nothing was named every scheme in three scenes, too, and costs against size.
@@ -51,7 +60,7 @@ fn survey(options: &Options) -> Result<Survey<'static>, Failure> {
 }
 
 pub(super) fn report(options: &Options, quiet: bool) -> Result<u8, Failure> {
-    let survey = survey(options)?;
+    let stored = options.from.as_deref().map(Records::read).transpose()?;
     let whole = match (options.full, options.brief) {
         (false, false) => "latest",
         (true, _) => "full",
@@ -60,8 +69,18 @@ pub(super) fn report(options: &Options, quiet: bool) -> Result<u8, Failure> {
     let out = options.out.clone().unwrap_or_else(|| options.selection.folder(whole));
     let pages = if options.brief { &["report.md"][..] } else { &["report.md", "index.html", "records.csv"] };
     report::try_folder(&out, "records.json", pages, options.force.given)?;
-    let records = with_tasks(quiet, |progress| Survey { progress, ..survey }.run());
-    let write = if options.brief { report::write_brief } else { report::write };
+    let records = match stored {
+        Some(records) => records,
+        None => {
+            let survey = survey(options)?;
+            with_tasks(quiet, |progress| Survey { progress, ..survey }.run())
+        }
+    };
+    let write = match (options.brief, options.single_file) {
+        (true, _) => report::write_brief,
+        (_, true) => report::write_single_file,
+        _ => report::write,
+    };
     with_bar(quiet, "drawing", |progress| write(&records, &out, progress))?;
     print(&report::verdict_table(&records, false))?;
     if !quiet {

@@ -1,7 +1,7 @@
 //! `polhode run`: one scheme, one scene, its states.
 
 use std::io::{self, BufWriter, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueEnum};
@@ -12,8 +12,9 @@ use super::{Failure, select};
 use crate::arithmetic::{DoubleDouble, Real, Single};
 use crate::campaign;
 use crate::model::{Snapshot, System, SystemError};
-use crate::record::{RunStatus, WholeFile, is_own_json};
+use crate::record::{self, Motion, RunStatus, WholeFile, is_own_json};
 use crate::reference::precise::{self, decimal};
+use crate::report;
 use crate::scenes::Scene;
 use crate::simulate::{Arithmetic, Contestant, Form, Outcome, Plan, Precision};
 
@@ -50,6 +51,9 @@ pub(super) struct Options {
     /// File to write instead of stdout
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
+    /// Draw the motion as a PNG: polhode, path of an axis, Ω and energy against time
+    #[arg(long, value_name = "FILE.png")]
+    plot: Option<PathBuf>,
     #[command(flatten)]
     force: Force,
 }
@@ -58,6 +62,7 @@ const EXAMPLES: &str = "\
 Examples:
   polhode run dzhanibekov --format csv
   polhode run dzhanibekov --scheme peskin-rk2 --step 0.01 --every 10
+  polhode run dzhanibekov --every 10 --plot dzhanibekov.png --out states.json
   polhode run my-body.toml --scheme euler --steps 1000 --format csv --out run.csv
   polhode run kovalevskaya --scheme peskin-rk2 --steps 600 --model points
   polhode run kovalevskaya --scheme rkmk4 --steps 600 --every 600 --precision double-double";
@@ -84,6 +89,7 @@ pub(super) fn run(options: &Options, quiet: bool) -> Result<u8, Failure> {
 
 fn run_in<T: Written>(options: &Options, quiet: bool) -> Result<u8, Failure> {
     options.force.try_place(options.out.as_ref(), is_own)?;
+    options.force.try_picture(options.plot.as_deref())?;
     let contestant = select::contestant(&options.scheme)?;
     let scene = Scene::find(options.scene.name())?;
     let plan = plan(options, &scene)?;
@@ -118,7 +124,11 @@ fn run_in<T: Written>(options: &Options, quiet: bool) -> Result<u8, Failure> {
     let heading = heading::<T>(options.format, &scene.name, contestant.card.name, model, &plan);
     let mut writer =
         StateWriter { sink, system: &system, plan, count: 0, failed: None, format: options.format, heading };
-    let outcome = contestant.stream_in(&system, form, &plan, &mut |snapshot| writer.push(snapshot));
+    let mut drawn = Drawn { wanted: options.plot.is_some(), every: 1, states: Vec::new(), count: 0 };
+    let outcome = contestant.stream_in(&system, form, &plan, &mut |snapshot| {
+        drawn.push(snapshot);
+        writer.push(snapshot);
+    });
     if let Some(reason) = outcome.refusal() {
         return Err(cannot(reason));
     }
@@ -126,10 +136,52 @@ fn run_in<T: Written>(options: &Options, quiet: bool) -> Result<u8, Failure> {
     if let Some(file) = file {
         file.finish()?;
     }
+    if let Some(path) = &options.plot {
+        let names = (scene.name.as_str(), contestant.card.name);
+        draw(path, &scene.system, &drawn.states, names, plan.step)?;
+    }
     if let Some(broken) = &outcome.broken {
         eprintln!("polhode: {} in {}: {broken}", contestant.card.name, scene.name);
     }
     Ok(u8::from(outcome.broken.is_some()))
+}
+
+/// States that are drawn at most: a pixel of a path needs no more.
+const MOST_DRAWN: usize = 8192;
+
+/// The states that a picture is drawn from: every n-th, n doubled where they become many.
+struct Drawn {
+    wanted: bool,
+    every: usize,
+    states: Vec<Snapshot>,
+    count: usize,
+}
+
+impl Drawn {
+    fn push<T: Real>(&mut self, snapshot: &Snapshot<T>) {
+        if self.wanted && self.count.is_multiple_of(self.every) {
+            self.states.push(snapshot.nearest());
+            if self.states.len() > MOST_DRAWN {
+                self.states = std::mem::take(&mut self.states).into_iter().step_by(2).collect();
+                self.every *= 2;
+            }
+        }
+        self.count += 1;
+    }
+}
+
+/// Writes the picture of a run.
+fn draw(
+    path: &Path,
+    system: &System,
+    states: &[Snapshot],
+    (scene, scheme): (&str, &str),
+    step: f64,
+) -> Result<(), Failure> {
+    let motion = campaign::motion(system, states);
+    let motion = Motion { scene: scene.to_owned(), scheme: scheme.to_owned(), step_s: step, ..motion };
+    let png = report::motion_picture(&motion).map_err(|error| Failure::Usage(error.to_string()))?;
+    Ok(record::write_whole(path, &png)?)
 }
 
 /// Whether a file begins like one of this command.

@@ -9,6 +9,7 @@ mod cost;
 mod engines;
 mod evidence;
 mod findings;
+mod motion;
 mod numbers;
 mod packed;
 #[cfg(feature = "cli")]
@@ -34,6 +35,7 @@ pub use engines::{EngineRow, PeerRow, Twin};
 pub use evidence::*;
 pub(crate) use findings::TIME_DIGITS;
 pub use findings::{Drift, DriftClass, Measurement, Order, OrderStatus, RunStatus, Series};
+pub use motion::Motion;
 pub use numbers::to_digits;
 #[cfg(feature = "cli")]
 pub(crate) use place::{is_own_json, try_place};
@@ -94,6 +96,9 @@ pub struct Records {
     /// Quantities against time, for drawing.
     #[serde(default)]
     pub series: Vec<Arc<Series>>,
+    /// Motions to be shown, the truth of a scene before its runs.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub motions: Vec<Arc<Motion>>,
     /// Foreign programs among the schemes.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub engines: Vec<EngineRow>,
@@ -162,6 +167,7 @@ impl Records {
         self.drifts.extend(other.drifts);
         self.evidence.extend(other.evidence);
         self.series.extend(other.series);
+        self.motions.extend(other.motions);
         self.costs.extend(other.costs);
         self.scaling.extend(other.scaling);
         self.engines.extend(other.engines);
@@ -189,6 +195,7 @@ impl Records {
         kept.evidence.retain(|row| keep(&row.scheme));
         kept.verdicts.retain(|row| keep(&row.scheme));
         kept.series.retain(|row| keep(&row.scheme));
+        kept.motions.retain(|row| keep(&row.scheme));
         kept.costs.retain(|row| keep(&row.scheme));
         kept.precision.retain(|row| keep(&row.scheme));
         kept

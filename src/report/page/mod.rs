@@ -1,12 +1,14 @@
 //! What the HTML and the Markdown report say: every number already in print, with its unit and uncertainty.
 
 mod costs;
+mod findings;
 mod precision;
 mod rankings;
+mod reasons;
 mod scene;
+mod stability;
 mod tables;
 
-use minijinja::Value;
 use serde::Serialize;
 
 use crate::record::{ClaimName, Machine, Records, Verdict};
@@ -22,8 +24,6 @@ use super::survey::{self, Outcome};
 pub(super) struct Figure {
     /// What it shows.
     pub subject: Subject,
-    /// The picture as an SVG element, shared by whoever shows it; none where the page only names its file, because it is large.
-    pub svg: Option<Value>,
 }
 
 /// The whole report.
@@ -35,7 +35,9 @@ pub(super) struct Page {
     complete: bool,
     verdict_count: usize,
     tally: Vec<Count>,
+    findings: Vec<String>,
     attention: Vec<VerdictRow>,
+    reasons: Vec<reasons::Reason>,
     broken_runs: Vec<tables::BrokenRun>,
     schemes: Vec<tables::Scheme>,
     overview: Option<FigureView>,
@@ -50,6 +52,7 @@ pub(super) struct Page {
     costs: Option<costs::Costs>,
     scaling: Option<FigureView>,
     precision: Option<precision::Precision>,
+    stability: Option<stability::Section>,
     scenes: Vec<scene::Scene>,
 }
 
@@ -65,8 +68,9 @@ struct Count {
 #[derive(Serialize)]
 pub(super) struct FigureView {
     file: String,
-    svg: Option<Value>,
     caption: String,
+    /// Whether it shows errors of runs.
+    errors: bool,
 }
 
 /// A verdict in print.
@@ -135,7 +139,9 @@ pub(super) fn compose(records: &Records, main: &Records, figures: &[Figure]) -> 
             .into_iter()
             .map(|(outcome, count)| Count { class: outcome.class(), words: outcome.words(), count })
             .collect(),
+        findings: findings::findings(main),
         attention: attention.into_iter().map(VerdictRow::new).collect(),
+        reasons: reasons::reasons(&records.verdicts),
         broken_runs: tables::broken_runs(records),
         schemes: records.schemes.iter().map(|row| tables::Scheme::new(records, row)).collect(),
         overview: figure(
@@ -162,6 +168,7 @@ pub(super) fn compose(records: &Records, main: &Records, figures: &[Figure]) -> 
             "Cost of a step against the mass points of the body, and of a campaign against its cells.",
         ),
         precision: precision::Precision::new(main, figures),
+        stability: stability::Section::new(main),
         scenes: survey::scenes(records)
             .into_iter()
             .map(|name| scene::Scene::new(main, figures, name, rankings::Ranking::new(records, name)))
@@ -177,8 +184,9 @@ fn cheapest(figures: &[Figure]) -> Vec<FigureView> {
 }
 
 pub(super) fn figure(figures: &[Figure], subject: &Subject, caption: &str) -> Option<FigureView> {
-    let drawn = figures.iter().find(|figure| figure.subject == *subject)?;
-    Some(FigureView { file: subject.file_name(), svg: drawn.svg.clone(), caption: caption.into() })
+    figures.iter().find(|figure| figure.subject == *subject)?;
+    let errors = matches!(subject, Subject::Convergence(_) | Subject::WorkPrecision(..));
+    Some(FigureView { file: subject.file_name(), caption: caption.into(), errors })
 }
 
 pub(super) fn machine_words(machine: &Machine) -> String {
