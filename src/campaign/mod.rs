@@ -27,9 +27,9 @@ use crate::simulate::Contestant;
 
 pub(crate) use cell::unmeasured;
 pub(crate) use costs::{SECONDS_A_COST, add_costs, typical_step};
+pub(crate) use motions::motion;
 #[cfg(feature = "cli")]
 pub(crate) use peers::add_peers;
-pub(crate) use motions::motion;
 pub use scaling::Sizes;
 pub use survey::{Survey, Task};
 

@@ -13,26 +13,26 @@ use crate::reference::Reference;
 use crate::scenes::Scene;
 use crate::simulate::{Contestant, Form, Plan};
 
-/// Schemes that are shown in a scene: each adds 80 kB of text to the records of a scene.
-const SCHEMES: usize = 3;
+/// Schemes that are shown in a scene: each adds 8 kB to the records of a scene.
+const SCHEMES: usize = 2;
 /// Intervals between the states that are shown.
-const FRAMES: usize = 256;
+const FRAMES: usize = 128;
 /// Steps of the three runs; the coarsest is a state each.
-const STEPS: [u64; 3] = [256, 1024, 4096];
+const STEPS: [u64; 3] = [128, 512, 2048];
 /// A state that is shown in typical steps: 0.4 rad at most, so that a turn between two states is unique.
 const TYPICAL_STEPS: f64 = 8.0;
-/// Digits of what is drawn: a thousandth of a pixel.
-const DIGITS: usize = 5;
+/// Digits of what is drawn: a tenth of a pixel.
+const DIGITS: usize = 3;
 
 /// Adds the motions of the scenes whose bodies turn.
 pub(super) fn add_motions(records: &mut Records, scenes: &[Scene], contestants: &[Contestant]) {
-    let shown = |scene: &&Scene| {
-        scene.only_for_stability.is_none() && scene.system.body.shape != Shape::Point
-    };
+    let shown =
+        |scene: &&Scene| scene.only_for_stability.is_none() && scene.system.body.shape != Shape::Point;
     let scenes: Vec<&Scene> = scenes.iter().filter(shown).collect();
-    let rows = scenes.par_iter().with_max_len(1).map(|scene| {
-        if interrupt::requested() { Vec::new() } else { of_scene(scene, contestants) }
-    });
+    let rows = scenes
+        .par_iter()
+        .with_max_len(1)
+        .map(|scene| if interrupt::requested() { Vec::new() } else { of_scene(scene, contestants) });
     let rows: Vec<Vec<Motion>> = rows.collect();
     records.motions.extend(rows.into_iter().flatten().map(Arc::new));
 }

@@ -117,7 +117,9 @@ fn a_report_is_drawn_again_from_its_records_and_never_from_those_that_are_cut() 
     assert!(at("single/index.html").exists() && !at("single/pages").exists());
     let whole = fs::read_to_string(&records).expect("written");
     let other = whole.replace("polhode/records/1", "polhode/records/0");
-    for (name, text_of_it) in [("cut.json", &whole[..whole.len() / 2]), ("other.json", &other), ("empty.json", "")] {
+    for (name, text_of_it) in
+        [("cut.json", &whole[..whole.len() / 2]), ("other.json", &other), ("empty.json", "")]
+    {
         fs::write(at(name), text_of_it).expect("written");
         let refused = report(&["--from", &text(name), "--out", &text("refused")]);
         assert_eq!(code(&refused), 65, "{name}: {}", stderr(&refused));
@@ -129,7 +131,8 @@ fn a_report_is_drawn_again_from_its_records_and_never_from_those_that_are_cut() 
 fn a_run_is_drawn_beside_its_states() {
     let folder = scratch();
     let picture = folder.path().join("run.png");
-    let arguments = ["run", "dzhanibekov", "--quiet", "--format", "csv", "--plot", &picture.to_string_lossy()];
+    let arguments =
+        ["run", "dzhanibekov", "--quiet", "--format", "csv", "--plot", &picture.to_string_lossy()];
     let output = polhode(&arguments);
     assert_eq!(code(&output), 0, "{}", stderr(&output));
     assert!(stdout(&output).lines().count() > 100);

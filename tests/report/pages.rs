@@ -29,7 +29,8 @@ fn pages(records: &Records) -> (tempfile::TempDir, Pages) {
     report::write(records, folder.path(), &|_, _| ()).expect("a report");
     let mut pages = Pages::new();
     let inner = fs::read_dir(folder.path().join("pages")).expect("a folder");
-    let inner = inner.map(|entry| format!("pages/{}", entry.expect("an entry").file_name().to_string_lossy()));
+    let inner =
+        inner.map(|entry| format!("pages/{}", entry.expect("an entry").file_name().to_string_lossy()));
     for name in inner.chain(["index.html".to_owned()]) {
         let text = fs::read_to_string(folder.path().join(&name)).expect("a page");
         pages.insert(name, text);
@@ -49,7 +50,9 @@ fn whole() -> Records {
             row.scheme = named(&row.scheme);
             records.measurements.push(Arc::new(row));
         }
-        records.verdicts.extend(rows.verdicts.iter().map(|row| Verdict { scheme: named(&row.scheme), ..row.clone() }));
+        records
+            .verdicts
+            .extend(rows.verdicts.iter().map(|row| Verdict { scheme: named(&row.scheme), ..row.clone() }));
         for row in &rows.series {
             let mut row = (**row).clone();
             row.scheme = named(&row.scheme);
@@ -78,20 +81,24 @@ fn motions(scene: &str) -> Vec<Arc<Motion>> {
             spin: spin.collect(),
         })
     };
-    let runs = ["peskin-rk2", "euler", "euler-1"].into_iter().flat_map(|scheme| {
-        [0.04, 0.01, 0.0025].into_iter().map(move |step| (scheme, step))
-    });
+    let runs = ["peskin-rk2", "euler", "euler-1"]
+        .into_iter()
+        .flat_map(|scheme| [0.04, 0.01, 0.0025].into_iter().map(move |step| (scheme, step)));
     [("", 0.0)].into_iter().chain(runs).map(|(scheme, step)| row(scheme, step)).collect()
 }
 
 /// Elements of a page: tags that open.
 fn elements(page: &str) -> usize {
-    page.match_indices('<').filter(|(at, _)| page[at + 1..].starts_with(|c: char| c.is_ascii_alphabetic())).count()
+    page.match_indices('<')
+        .filter(|(at, _)| page[at + 1..].starts_with(|c: char| c.is_ascii_alphabetic()))
+        .count()
 }
 
 fn size(path: &Path) -> u64 {
     let entries = fs::read_dir(path).expect("a folder").map(|entry| entry.expect("an entry").path());
-    entries.map(|path| if path.is_dir() { size(&path) } else { fs::metadata(&path).expect("a file").len() }).sum()
+    entries
+        .map(|path| if path.is_dir() { size(&path) } else { fs::metadata(&path).expect("a file").len() })
+        .sum()
 }
 
 #[test]
@@ -160,7 +167,8 @@ fn the_index_says_five_findings_and_a_row_a_reason() {
     let findings = findings.split("</ol>").next().expect("an end").matches("<li>").count();
     // The records hold no evidence, and so no constant in radians.
     assert_eq!(findings, 4);
-    let rows = index.split("id=\"reasons\"").nth(1).expect("reasons").split("</table>").next().expect("an end");
+    let rows =
+        index.split("id=\"reasons\"").nth(1).expect("reasons").split("</table>").next().expect("an end");
     assert!(rows.matches("<tr>").count() < 10);
     assert!(rows.contains("<td class=\"number\">50</td>"));
     let folded = &pages["pages/verdicts.html"];

@@ -125,7 +125,8 @@ fn line(
     ]);
     let each = |value: &dyn Fn(&Measurement) -> Option<f64>| {
         let of = |key: &&str| {
-            let own = steps.iter().map(|step| at(*step, Some(key)).and_then(|row| value(row)).and_then(drawn));
+            let own =
+                steps.iter().map(|step| at(*step, Some(key)).and_then(|row| value(row)).and_then(drawn));
             ((*key).to_owned(), own.collect())
         };
         keys.iter().map(of).collect()
@@ -135,13 +136,21 @@ fn line(
 
 /// What is conserved against time, in a scene.
 pub(super) fn against_time(records: &Records, looks: &Looks, scene: &str) -> Option<Chart> {
-    let rows: Vec<&Series> =
-        records.series.iter().map(Arc::as_ref).filter(|row| row.scene == scene && !row.value.is_empty()).collect();
+    let rows: Vec<&Series> = records
+        .series
+        .iter()
+        .map(Arc::as_ref)
+        .filter(|row| row.scene == scene && !row.value.is_empty())
+        .collect();
     let keys = survey::distinct(rows.iter().map(|row| row.quantity.as_str()));
     let label = |key: &str| {
         let unit = rows.iter().find(|row| row.quantity == key).map_or("", |row| row.unit.as_str());
         let words = key.replace('-', " ");
-        if unit == "1" { format!("relative change of {words}") } else { format!("change of {words} [{unit}]") }
+        if unit == "1" {
+            format!("relative change of {words}")
+        } else {
+            format!("change of {words} [{unit}]")
+        }
     };
     let numbers = |list: &[f64]| list.iter().map(|value| drawn(*value)).collect::<Vec<_>>();
     let of = |scheme: &str| {
@@ -170,7 +179,9 @@ pub(super) fn precision(records: &Records, looks: &Looks, scene: &str) -> Option
     let rows = records.precision.iter().filter(|row| row.scene == scene && !row.runs.is_empty());
     let spin = largest_spin(records, scene);
     let of = |row: &PrecisionRow| {
-        let each = |value: &dyn Fn(usize) -> Option<f64>| (0..row.runs.len()).map(|n| value(n).and_then(drawn)).collect();
+        let each = |value: &dyn Fn(usize) -> Option<f64>| {
+            (0..row.runs.len()).map(|n| value(n).and_then(drawn)).collect()
+        };
         Line {
             name: row.scheme.clone(),
             note: row.arithmetic.clone(),

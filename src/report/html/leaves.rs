@@ -29,7 +29,14 @@ impl Leaf {
     }
 
     fn subject(file: &'static str, title: &str, template: &'static str) -> Leaf {
-        Leaf { file: file.into(), title: title.into(), group: "subject", template, name: String::new(), index: 0 }
+        Leaf {
+            file: file.into(),
+            title: title.into(),
+            group: "subject",
+            template,
+            name: String::new(),
+            index: 0,
+        }
     }
 }
 

@@ -131,7 +131,11 @@ impl<'a> Site<'a> {
         let (style, script) = (Value::from_safe_string(STYLE.into()), Value::from_safe_string(SCRIPT.into()));
         let overview = overview.map(packed::base64);
         let chart = self.overview()?;
-        self.render("single.html", context! { bodies, style, script, overview, chart, single => true, ..links }, writer)
+        self.render(
+            "single.html",
+            context! { bodies, style, script, overview, chart, single => true, ..links },
+            writer,
+        )
     }
 
     /// What a leaf's template reads, beside the page.

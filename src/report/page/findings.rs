@@ -2,9 +2,9 @@
 
 use crate::record::{Drift, DriftClass, Order, OrderStatus, Records};
 use crate::report::html::largest_spin;
+use crate::report::number;
 use crate::report::ranking::{self, Work};
 use crate::report::survey::{self, Outcome};
-use crate::report::number;
 
 use super::reasons::listed;
 
@@ -25,11 +25,13 @@ struct Subject<'a> {
 pub(super) fn findings(main: &Records) -> Vec<String> {
     let Some(scheme) = survey::measured_schemes(main).into_iter().next() else { return Vec::new() };
     let quantity = |row: &Order| survey::base(ranking::quantity(main, &row.scene)) == row.quantity;
-    let sought: Vec<&Order> = main.orders.iter().filter(|row| row.scheme == scheme && quantity(row)).collect();
+    let sought: Vec<&Order> =
+        main.orders.iter().filter(|row| row.scheme == scheme && quantity(row)).collect();
     let decided = |row: &&Order| row.status == OrderStatus::Decided && row.order.is_some();
     let orders = sought.iter().copied().filter(decided).collect();
     let subject = Subject { records: main, scheme, orders, sought: sought.len() };
-    let sentences = [subject.order(), subject.constant(), subject.drift(), subject.failures(), subject.cheapest()];
+    let sentences =
+        [subject.order(), subject.constant(), subject.drift(), subject.failures(), subject.cheapest()];
     sentences.into_iter().flatten().collect()
 }
 
@@ -56,7 +58,8 @@ impl Subject<'_> {
     /// C of C (h Ω)ᵖ, which scenes of all time scales share.
     fn constant(&self) -> Option<String> {
         let claimed = survey::claimed_order(self.records, self.scheme)?;
-        let angle = |row: &&&Order| row.unit == "rad" && row.order.is_some_and(|p| p.round() == f64::from(claimed));
+        let angle =
+            |row: &&&Order| row.unit == "rad" && row.order.is_some_and(|p| p.round() == f64::from(claimed));
         let constants = self.orders.iter().filter(angle).filter_map(|row| {
             let spin = largest_spin(self.records, &row.scene)?;
             Some((row.constant? / spin.powi(claimed as i32), row.scene.as_str()))
@@ -87,7 +90,8 @@ impl Subject<'_> {
         });
         let keeps = |scheme: &&str| {
             let mut rows = self.records.drifts.iter().filter(|row| row.scheme == **scheme).peekable();
-            rows.peek().is_some() && rows.all(|row| matches!(row.class, DriftClass::Exact | DriftClass::Bounded))
+            rows.peek().is_some()
+                && rows.all(|row| matches!(row.class, DriftClass::Exact | DriftClass::Bounded))
         };
         let keepers: Vec<&str> = survey::measured_schemes(self.records).into_iter().filter(keeps).collect();
         let others = if keepers.is_empty() {
@@ -110,7 +114,8 @@ impl Subject<'_> {
         let all: usize = counts.iter().map(|(_, count)| count).sum();
         let worrying: Vec<(Outcome, usize)> =
             counts.into_iter().filter(|(outcome, count)| outcome.needs_attention() && *count > 0).collect();
-        let rest = if worrying.is_empty() { "every one holds".to_owned() } else { survey::tally_words(&worrying) };
+        let rest =
+            if worrying.is_empty() { "every one holds".to_owned() } else { survey::tally_words(&worrying) };
         (all > 0).then(|| format!("{}Of {all} verdicts: {rest}.", line.unwrap_or_default()))
     }
 
@@ -129,7 +134,8 @@ impl Subject<'_> {
             .collect();
         let clause = |error: i32| {
             let winner = |ladders: &Vec<ranking::Ladder<'_>>| {
-                let costs = ladders.iter().filter_map(|one| Some((one.work_for(f64::from(error))?.0, one.scheme)));
+                let costs =
+                    ladders.iter().filter_map(|one| Some((one.work_for(f64::from(error))?.0, one.scheme)));
                 costs.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, scheme)| scheme.to_owned())
             };
             let winners: Vec<String> = ladders.iter().filter_map(winner).collect();
@@ -140,7 +146,10 @@ impl Subject<'_> {
         };
         let clauses: Vec<String> = ERRORS.into_iter().filter_map(clause).collect();
         (!clauses.is_empty()).then(|| {
-            format!("Fewest force evaluations for an orientation error, in most scenes: {}.", clauses.join(", "))
+            format!(
+                "Fewest force evaluations for an orientation error, in most scenes: {}.",
+                clauses.join(", ")
+            )
         })
     }
 }

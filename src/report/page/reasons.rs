@@ -88,7 +88,12 @@ mod tests {
             ..Verdict::default()
         };
         let known = Verdict { known_deviation: Some("on record".into()), ..fail("a", "order 3.2") };
-        let rows = [fail("a", "order 1.02 ± 0.01 is below 2"), fail("b", "order 1.5 ± 0.02 is below 4"), fail("a", "broke"), known];
+        let rows = [
+            fail("a", "order 1.02 ± 0.01 is below 2"),
+            fail("b", "order 1.5 ± 0.02 is below 4"),
+            fail("a", "broke"),
+            known,
+        ];
         let reasons = reasons(&rows);
         let counts: Vec<usize> = reasons.iter().map(|reason| reason.count).collect();
         assert_eq!(counts, [2, 1, 1]);

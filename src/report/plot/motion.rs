@@ -170,7 +170,8 @@ fn draw_energy(sketch: &mut Sketch, cell: Frame, motion: &Motion, ink: RGBColor)
 }
 
 fn draw_curves(sketch: &mut Sketch, cell: Frame, motion: &Motion, curves: &[Curve], words: &str) {
-    let values = || curves.iter().flat_map(|(_, values, _)| values).copied().filter(|value| value.is_finite());
+    let values =
+        || curves.iter().flat_map(|(_, values, _)| values).copied().filter(|value| value.is_finite());
     let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
     let margin = if high > low { 0.05 * (high - low) } else { 1e-16 + 0.05 * high.abs() };
     let end = motion.time_s.last().copied().unwrap_or(1.0);
