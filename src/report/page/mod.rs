@@ -124,10 +124,6 @@ fn measured(verdict: &Verdict) -> String {
 /// Composes the report from the records and the pictures drawn from them. `main` is the records without the schemes that stand
 /// apart.
 pub(super) fn compose(records: &Records, main: &Records, figures: &[Figure]) -> Page {
-    let counts = survey::tally(records.verdicts.iter());
-    let mut attention: Vec<&Verdict> =
-        records.verdicts.iter().filter(|verdict| Outcome::of(verdict).needs_attention()).collect();
-    attention.sort_by_key(|verdict| Outcome::of(verdict));
     let (order_quantities, orders) = tables::order_summary(main);
     Page {
         version: records.polhode.clone(),
@@ -135,12 +131,9 @@ pub(super) fn compose(records: &Records, main: &Records, figures: &[Figure]) -> 
         machine: machine_words(&records.machine),
         complete: records.complete,
         verdict_count: records.verdicts.len(),
-        tally: counts
-            .into_iter()
-            .map(|(outcome, count)| Count { class: outcome.class(), words: outcome.words(), count })
-            .collect(),
+        tally: tally(records),
         findings: findings::findings(main),
-        attention: attention.into_iter().map(VerdictRow::new).collect(),
+        attention: attention(records),
         reasons: reasons::reasons(&records.verdicts),
         broken_runs: tables::broken_runs(records),
         schemes: records.schemes.iter().map(|row| tables::Scheme::new(records, row)).collect(),
@@ -174,6 +167,20 @@ pub(super) fn compose(records: &Records, main: &Records, figures: &[Figure]) -> 
             .map(|name| scene::Scene::new(main, figures, name, rankings::Ranking::new(records, name)))
             .collect(),
     }
+}
+
+/// How many verdicts have each outcome.
+fn tally(records: &Records) -> Vec<Count> {
+    let counts = survey::tally(records.verdicts.iter()).into_iter();
+    counts.map(|(outcome, count)| Count { class: outcome.class(), words: outcome.words(), count }).collect()
+}
+
+/// The verdicts that a reader must see, the worst first.
+fn attention(records: &Records) -> Vec<VerdictRow> {
+    let mut rows: Vec<&Verdict> =
+        records.verdicts.iter().filter(|verdict| Outcome::of(verdict).needs_attention()).collect();
+    rows.sort_by_key(|verdict| Outcome::of(verdict));
+    rows.into_iter().map(VerdictRow::new).collect()
 }
 
 /// What an error costs, by time and by count.

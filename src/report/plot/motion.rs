@@ -155,7 +155,7 @@ fn draw_spin(sketch: &mut Sketch, cell: Frame, motion: &Motion, palette: &Palett
     };
     let curves: Vec<Curve> = (0..3).map(curve).collect();
     draw_curves(sketch, cell, motion, &curves, "Ω in principal axes [rad/s]");
-    let sign = |(index, name): (usize, &&str)| Entry::new(Sign::Scheme(palette.look(NAMES[index])), **name);
+    let sign = |(index, name): (usize, &&str)| Entry::new(Sign::Scheme(palette.look(NAMES[index])), *name);
     let entries: Vec<Entry> = NAMES.iter().enumerate().map(sign).collect();
     legend::draw(sketch, &entries, cell.left + 200.0, cell.bottom - 4.0, cell.right - cell.left - 260.0);
 }
