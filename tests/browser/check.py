@@ -1,5 +1,6 @@
 """Opens every kind of page of a report and uses it. Usage: check.py BROWSER FOLDER SINGLE_FOLDER [PICTURE_FOLDER]"""
 
+import gzip
 import pathlib
 import sys
 
@@ -7,6 +8,8 @@ from devtools import Browser
 
 NARROW, WIDE = 390, 1400
 MOST_NODES = 3000
+# Bytes: of a page, of the index compressed, of the one page with everything in it, of the records, of the whole folder.
+PAGE, PACKED_INDEX, SINGLE, RECORDS, FOLDER = 1_000_000, 300_000, 8_000_000, 20_000_000, 35_000_000
 
 # Every figure with data is scrolled to, so that it is drawn.
 DRAWN = """(async () => {
@@ -179,6 +182,20 @@ class Check:
         self.holds(f"{where}: no picture", self.page.run("document.images.length") > 0)
 
 
+def sizes(check, folder, single):
+    """Whether every file keeps its budget."""
+    pages = [folder / "index.html", *(folder / "pages").glob("*.html")]
+    largest = max(pages, key=lambda page: page.stat().st_size)
+    check.holds(f"{largest.name} has {largest.stat().st_size} bytes", largest.stat().st_size <= PAGE)
+    packed = len(gzip.compress((folder / "index.html").read_bytes()))
+    check.holds(f"the index has {packed} bytes compressed", packed <= PACKED_INDEX)
+    for path, most in [(single / "index.html", SINGLE), (folder / "records.json", RECORDS)]:
+        check.holds(f"{path} has {path.stat().st_size} bytes", path.stat().st_size <= most)
+    whole = sum(path.stat().st_size for path in folder.rglob("*") if path.is_file())
+    check.holds(f"the folder has {whole} bytes", whole <= FOLDER)
+    return f"largest page {largest.stat().st_size}, index compressed {packed}, single {(single / 'index.html').stat().st_size}, folder {whole} bytes"
+
+
 def main():
     program, folder, single = sys.argv[1], *map(pathlib.Path, sys.argv[2:4])
     pictures = pathlib.Path(sys.argv[4]) if len(sys.argv) > 4 else None
@@ -213,12 +230,13 @@ def main():
         links = {link for path in kinds for link in linked(check, path)}
         check.holds(f"links lead nowhere: {sorted(link for link in links if not pathlib.Path(link).exists())[:5]}",
                     all(pathlib.Path(link).exists() for link in links))
+        said = sizes(check, folder, single)
         where = check.open(single / "index.html", WIDE)
         check.structure(where)
         check.motion(where)
     finally:
         browser.close()
-    print(f"browser: {check.count} checks of {len(kinds) + 1} pages, {len(check.faults)} failed; index {nodes} nodes, loaded in {took:.0f} ms")
+    print(f"browser: {check.count} checks of {len(kinds) + 1} pages, {len(check.faults)} failed; index {nodes} nodes, loaded in {took:.0f} ms; {said}")
     for fault in check.faults:
         print(f"  {fault}")
     return 1 if check.faults else 0
