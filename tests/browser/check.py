@@ -134,10 +134,11 @@ class Check:
         run = self.page.run
         if not run("!!document.querySelector('.filter input')"):
             return
-        seen = "[...document.querySelector('.filter').nextElementSibling.querySelectorAll('tbody tr')].filter(row => !row.hidden).length"
-        every = run(seen)
+        seen = "[...document.querySelector('.filter').nextElementSibling.querySelectorAll('tbody tr')].filter(row => !row.hidden)"
+        every = run(f"{seen}.length")
         run("(() => { const f = document.querySelector('.filter input'); f.value = 'euler'; f.dispatchEvent(new Event('input')); })()")
-        self.holds(f"{where}: a table is not filtered", 0 < run(seen) < every)
+        found = run(f"{seen}.map(row => row.textContent.toLowerCase())")
+        self.holds(f"{where}: a table is not filtered", all("euler" in row for row in found) and len(found) < every)
 
     def search(self, where):
         run = self.page.run
@@ -173,6 +174,14 @@ class Check:
         self.holds(f"{where}: the view does not turn", run(f"{one}.polhode.view[0]") != view)
         ends = run(f"(() => {{ const m = {one}.polhode; m.at = m.frames; m.draw(); return m.runs.map(run => run.turn.at(-1).length); }})()")
         self.holds(f"{where}: a run is not whole", ends and all(length == 4 for length in ends))
+
+    def paper(self, where):
+        """On paper what is folded is open."""
+        run = self.page.run
+        run("document.querySelectorAll('main details').forEach(part => { part.open = false; })")
+        run("addEventListener('beforeprint', () => { window.folded = document.querySelectorAll('main details:not([open])').length; })")
+        self.page.call("Page.printToPDF")
+        self.holds(f"{where}: {run('window.folded')} parts are folded on paper", run("window.folded") == 0)
 
     def still(self, path):
         where = self.open(path, WIDE, scripts=False)
@@ -217,6 +226,8 @@ def main():
                 check.filters(where)
                 if path == index:
                     check.search(where)
+                if path.stem == "verdicts":
+                    check.paper(where)
                 if path == first[0]:
                     check.motion(where)
             check.open(path, NARROW, dark=True)
