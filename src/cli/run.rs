@@ -124,11 +124,7 @@ fn run_in<T: Written>(options: &Options, quiet: bool) -> Result<u8, Failure> {
     let heading = heading::<T>(options.format, &scene.name, contestant.card.name, model, &plan);
     let mut writer =
         StateWriter { sink, system: &system, plan, count: 0, failed: None, format: options.format, heading };
-    let mut drawn = Drawn { wanted: options.plot.is_some(), every: 1, states: Vec::new(), count: 0 };
-    let outcome = contestant.stream_in(&system, form, &plan, &mut |snapshot| {
-        drawn.push(snapshot);
-        writer.push(snapshot);
-    });
+    let outcome = contestant.stream_in(&system, form, &plan, &mut |snapshot| writer.push(snapshot));
     if let Some(reason) = outcome.refusal() {
         return Err(cannot(reason));
     }
@@ -137,8 +133,7 @@ fn run_in<T: Written>(options: &Options, quiet: bool) -> Result<u8, Failure> {
         file.finish()?;
     }
     if let Some(path) = &options.plot {
-        let names = (scene.name.as_str(), contestant.card.name);
-        draw(path, &scene.system, &drawn.states, names, plan.step)?;
+        draw(path, &scene, (&contestant, form), &system, &plan)?;
     }
     if let Some(broken) = &outcome.broken {
         eprintln!("polhode: {} in {}: {broken}", contestant.card.name, scene.name);
@@ -146,42 +141,24 @@ fn run_in<T: Written>(options: &Options, quiet: bool) -> Result<u8, Failure> {
     Ok(u8::from(outcome.broken.is_some()))
 }
 
-/// States that are drawn at most: a pixel of a path needs no more.
-const MOST_DRAWN: usize = 8192;
+/// States that a picture is drawn from, about: a pixel of a path needs no more.
+const DRAWN: u64 = 4096;
 
-/// The states that a picture is drawn from: every n-th, n doubled where they become many.
-struct Drawn {
-    wanted: bool,
-    every: usize,
-    states: Vec<Snapshot>,
-    count: usize,
-}
-
-impl Drawn {
-    fn push<T: Real>(&mut self, snapshot: &Snapshot<T>) {
-        if self.wanted && self.count.is_multiple_of(self.every) {
-            self.states.push(snapshot.nearest());
-            if self.states.len() > MOST_DRAWN {
-                self.states = std::mem::take(&mut self.states).into_iter().step_by(2).collect();
-                self.every *= 2;
-            }
-        }
-        self.count += 1;
-    }
-}
-
-/// Writes the picture of a run.
-fn draw(
+/// Writes the picture of a run, which is run once more: what is written may be fewer states than a path needs.
+fn draw<T: Arithmetic>(
     path: &Path,
-    system: &System,
-    states: &[Snapshot],
-    (scene, scheme): (&str, &str),
-    step: f64,
+    scene: &Scene,
+    (contestant, form): (&Contestant, Form),
+    system: &System<T>,
+    plan: &Plan,
 ) -> Result<(), Failure> {
-    let motion = campaign::motion(system, states);
-    let motion = Motion { scene: scene.to_owned(), scheme: scheme.to_owned(), step_s: step, ..motion };
-    let png = report::motion_picture(&motion).map_err(|error| Failure::Usage(error.to_string()))?;
-    Ok(record::write_whole(path, &png)?)
+    let plan = Plan { every: (plan.steps / DRAWN).max(1), ..*plan };
+    let states: Vec<Snapshot> =
+        contestant.run_in(system, form, &plan).0.iter().map(Snapshot::nearest).collect();
+    let motion = campaign::motion(&scene.system, &states);
+    let (scene, scheme) = (scene.name.clone(), contestant.card.name.to_owned());
+    let png = report::motion_picture(&Motion { scene, scheme, step_s: plan.step, ..motion });
+    Ok(record::write_whole(path, &png.map_err(|error| Failure::Usage(error.to_string()))?)?)
 }
 
 /// Whether a file begins like one of this command.

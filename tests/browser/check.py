@@ -175,6 +175,15 @@ class Check:
         ends = run(f"(() => {{ const m = {one}.polhode; m.at = m.frames; m.draw(); return m.runs.map(run => run.turn.at(-1).length); }})()")
         self.holds(f"{where}: a run is not whole", ends and all(length == 4 for length in ends))
 
+    def verdicts(self, where):
+        """The table that is folded is drawn when it is opened."""
+        run = self.page.run
+        part = "document.querySelector('details.verdicts')"
+        run(f"{part}.open = true")
+        run(f"(async () => {{ for (let n = 0; n < 100 && !{part}.querySelector('table'); n++) await new Promise(done => setTimeout(done, 20)); }})()")
+        rows = run(f"{part}.querySelectorAll('tbody tr').length")
+        self.holds(f"{where}: {rows} verdicts", f"({rows})" in run(f"{part}.querySelector('summary').textContent"))
+
     def paper(self, where):
         """On paper what is folded is open."""
         run = self.page.run
@@ -230,6 +239,7 @@ def main():
                     check.paper(where)
                 if path == first[0]:
                     check.motion(where)
+                    check.verdicts(where)
             check.open(path, NARROW, dark=True)
             check.open(path, WIDE, dark=True)
         for path in [index, first[0]]:

@@ -14,7 +14,7 @@ use std::path::Path;
 use minijinja::{AutoEscape, Environment, Value, context};
 
 use super::page::Page;
-use super::plot::Looks;
+use super::plot::{Looks, base64};
 use super::{ReportError, template, write_page};
 use crate::record::{Records, write_whole};
 
@@ -129,7 +129,7 @@ impl<'a> Site<'a> {
         let bodies: Result<Vec<Value>, _> = self.leaves.iter().map(|leaf| self.of_leaf(leaf)).collect();
         let bodies = bodies?;
         let (style, script) = (Value::from_safe_string(STYLE.into()), Value::from_safe_string(SCRIPT.into()));
-        let overview = overview.map(packed::base64);
+        let overview = overview.map(base64);
         let chart = self.overview()?;
         self.render(
             "single.html",
@@ -159,9 +159,11 @@ impl<'a> Site<'a> {
         let errors = chart::errors(self.records, &title, |row| row.scene == scene, words);
         let time = chart::against_time(self.main, &self.looks, scene);
         let motion = motion::Motions::new(self.main, &self.looks, scene);
-        let index = Value::from(leaf.index);
+        let own = self.page.get_attr("scenes")?.get_item(&Value::from(leaf.index))?;
         Ok(context! {
-            scene => self.page.get_attr("scenes")?.get_item(&index)?,
+            verdicts => packed::packed(&own.get_attr("verdicts")?)?,
+            attention => own.get_attr("attention")?,
+            scene => own,
             errors => errors.as_ref().map(packed::packed).transpose()?,
             time => time.as_ref().map(packed::packed).transpose()?,
             motion => motion.as_ref().map(packed::packed).transpose()?,

@@ -133,7 +133,7 @@ pub(super) fn compose(records: &Records, main: &Records, figures: &[Figure]) -> 
         verdict_count: records.verdicts.len(),
         tally: tally(records),
         findings: findings::findings(main),
-        attention: attention(records),
+        attention: attention(records.verdicts.iter()),
         reasons: reasons::reasons(&records.verdicts),
         broken_runs: tables::broken_runs(records),
         schemes: records.schemes.iter().map(|row| tables::Scheme::new(records, row)).collect(),
@@ -176,9 +176,8 @@ fn tally(records: &Records) -> Vec<Count> {
 }
 
 /// The verdicts that a reader must see, the worst first.
-fn attention(records: &Records) -> Vec<VerdictRow> {
-    let mut rows: Vec<&Verdict> =
-        records.verdicts.iter().filter(|verdict| Outcome::of(verdict).needs_attention()).collect();
+fn attention<'a>(verdicts: impl Iterator<Item = &'a Verdict>) -> Vec<VerdictRow> {
+    let mut rows: Vec<&Verdict> = verdicts.filter(|verdict| Outcome::of(verdict).needs_attention()).collect();
     rows.sort_by_key(|verdict| Outcome::of(verdict));
     rows.into_iter().map(VerdictRow::new).collect()
 }

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use crate::record::{Drift, Measurement, Order, OrderStatus, Records, RunStatus, SchemeRow};
-use crate::report::survey::Outcome;
 use crate::report::{number, survey};
 
 use super::VerdictRow;
@@ -33,16 +32,13 @@ pub(super) struct Scheme {
 impl Scheme {
     pub(super) fn new(records: &Records, row: &SchemeRow) -> Scheme {
         let verdicts = || records.verdicts.iter().filter(|verdict| verdict.scheme == row.name);
-        let mut attention: Vec<_> =
-            verdicts().filter(|verdict| Outcome::of(verdict).needs_attention()).collect();
-        attention.sort_by_key(|verdict| Outcome::of(verdict));
         Scheme {
             apart: row.apart,
             anchor: survey::file_stem(&row.name),
             tally: survey::tally_words(&survey::tally(verdicts().collect::<Vec<_>>().into_iter())),
             orders: records.orders.iter().filter(|one| one.scheme == row.name).map(OrderRow::new).collect(),
             drifts: records.drifts.iter().filter(|one| one.scheme == row.name).map(DriftRow::new).collect(),
-            attention: attention.into_iter().map(VerdictRow::new).collect(),
+            attention: super::attention(verdicts()),
             name: row.name.clone(),
             title: row.title.clone(),
             family: row.family.clone(),

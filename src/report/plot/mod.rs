@@ -34,6 +34,7 @@ use crate::record::Records;
 use super::ranking::Work;
 use super::survey;
 use palette::Palette;
+pub(in crate::report) use raster::base64;
 pub(in crate::report) use render::{Fault, alone};
 use sketch::Sketch;
 pub(super) use work_precision::{Cast, Group};

@@ -157,7 +157,7 @@ fn draw_spin(sketch: &mut Sketch, cell: Frame, motion: &Motion, palette: &Palett
     draw_curves(sketch, cell, motion, &curves, "Ω in principal axes [rad/s]");
     let sign = |(index, name): (usize, &&str)| Entry::new(Sign::Scheme(palette.look(NAMES[index])), *name);
     let entries: Vec<Entry> = NAMES.iter().enumerate().map(sign).collect();
-    legend::draw(sketch, &entries, cell.left + 200.0, cell.bottom - 4.0, cell.right - cell.left - 260.0);
+    legend::draw(sketch, &entries, cell.left + 200.0, cell.bottom - 64.0, cell.right - cell.left - 260.0);
 }
 
 fn draw_energy(sketch: &mut Sketch, cell: Frame, motion: &Motion, ink: RGBColor) {
@@ -176,7 +176,7 @@ fn draw_curves(sketch: &mut Sketch, cell: Frame, motion: &Motion, curves: &[Curv
     let margin = if high > low { 0.05 * (high - low) } else { 1e-16 + 0.05 * high.abs() };
     let end = motion.time_s.last().copied().unwrap_or(1.0);
     let panel = Panel {
-        frame: cell.inside(190.0, 70.0, 40.0, 150.0),
+        frame: cell.inside(190.0, 70.0, 40.0, 190.0),
         x: Axis::linear(0.0, end, 6),
         y: Axis::linear(low - margin, high + margin, 7),
     };

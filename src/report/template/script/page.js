@@ -83,6 +83,7 @@ document.addEventListener("DOMContentLoaded", () => {
   if (contents) search(contents);
   unfold();
   for (const table of document.querySelectorAll("table.data")) sortable(table);
+  for (const part of document.querySelectorAll("details.verdicts")) folded(part);
   const kinds = { chart: Chart, motion: Motion };
   const seen = new IntersectionObserver(entries => {
     for (const entry of entries.filter(entry => entry.isIntersecting)) {

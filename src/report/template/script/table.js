@@ -61,3 +61,23 @@ function filter(table, body) {
   });
   table.parentElement.before(polhode.make("label", { class: "filter" }, "Filter rows ", field, count));
 }
+
+/** A table from data: drawn when the part that folds it is opened, or on paper. */
+function folded(part) {
+  const box = part.querySelector(".table");
+  let drawn = null;
+  const draw = () => drawn ??= polhode.unpacked(box).then(rows => {
+    const { make } = polhode;
+    const heads = ["verdict", "scheme", "claim", "quantity", "measured", "detail"];
+    const cell = (text, attributes = {}) => make("td", attributes, text);
+    const body = rows.map(row => make("tr", {}, cell(row.outcome, { class: `badge ${row.class}` }), cell(row.scheme), cell(row.claim),
+      cell(row.quantity), cell(row.measured, { class: "number" }), cell(row.known ? `${row.detail} Known: ${row.known}` : row.detail)));
+    const table = make("table", { class: "data" }, make("thead", {}, make("tr", {}, ...heads.map(head => make("th", { scope: "col" }, head)))),
+      make("tbody", {}, ...body));
+    box.replaceChildren(make("div", { class: "wide" }, table));
+    sortable(table);
+  });
+  part.addEventListener("toggle", () => { if (part.open) draw(); });
+  // A page of one scene is ready to be printed; the page of everything draws what is asked for.
+  if (!document.body.classList.contains("single")) requestIdleCallback(draw, { timeout: 2000 });
+}
