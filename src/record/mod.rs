@@ -5,6 +5,9 @@
 //! (`null` on disk), never a NaN.
 
 pub mod stability;
+#[cfg(feature = "cli")]
+mod capsule;
+mod columns;
 mod cost;
 mod engines;
 mod evidence;
@@ -29,6 +32,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::bounded::{self, FileError};
 pub use crate::claim::ClaimName;
+#[cfg(feature = "cli")]
+pub use capsule::{Capsule, Difference, Request, SceneText};
 pub use cost::{CostRow, Grows, ScalingRow};
 pub use engines::{EngineRow, PeerRow, Twin};
 pub use evidence::*;
@@ -41,7 +46,7 @@ pub use precision::{GrowsAs, Growth, PrecisionRow, PrecisionRun, Reach};
 pub use published::{Agreement, PublishedRow, Sureness, last_digit};
 pub use subjects::{ReferenceRow, SceneRow, SchemeRow};
 #[cfg(feature = "cli")]
-pub use tables::{write_csv, write_json};
+pub use tables::{BRIEF_CSV_FILES, CSV_FILES, write_brief_csv, write_csv, write_json};
 pub use verdict::{Ruling, Verdict};
 #[cfg(feature = "cli")]
 pub(crate) use whole::{WholeFile, write_whole};

@@ -3,6 +3,7 @@
 //! This module reads [`Records`] only. It never runs a scheme: a picture cannot redo a calculation, and a report
 //! can be made again from a `records.json` alone.
 
+mod brief;
 mod engines;
 mod folder;
 mod github;
@@ -11,6 +12,7 @@ mod junit;
 mod markdown;
 mod number;
 mod page;
+mod paper;
 mod plot;
 mod published;
 mod ranking;
@@ -26,11 +28,13 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use minijinja::Value;
 use rayon::prelude::*;
 
-use crate::record::{RecordError, Records, WholeFile, write_csv, write_json, write_whole};
+use crate::record::{CSV_FILES, RecordError, Records, WholeFile, write_csv, write_json, write_whole};
 
+pub use brief::write_brief;
 pub use folder::try_folder;
 pub use github::annotations;
 pub use junit::junit;
+pub use paper::{Language, paper_tables};
 pub use plot::{heat_map, line_chart};
 pub use published::write_published;
 pub use stability::{table as stability_table, write as write_stability};
@@ -97,39 +101,16 @@ pub fn write(
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<(), ReportError> {
     let subjects = plot::subjects(records);
-    let pages = ["records.json", "records.csv", "report.md", "index.html"];
+    let pages = [&["records.json", "report.md", "index.html"][..], &CSV_FILES].concat();
     let folder = Folder::open(out, "records.json")?;
     folder.begin(&names(&pages, subjects.iter()))?;
     write_json(&out.join("records.json"), records)?;
-    write_csv(&out.join("records.csv"), records)?;
+    write_csv(out, records)?;
     let main = records.without_apart();
     let figures = write_pictures(records, &main, &subjects, out, progress)?;
     let page = page::compose(records, &main, &figures);
     write_page(&out.join("report.md"), |file| markdown::render(&page, file))?;
     write_page(&out.join("index.html"), |file| html::render(&page, file))?;
-    Ok(folder.finish(&names(&pages, figures.iter().map(|figure| &figure.subject)))?)
-}
-
-/// Writes what a repository can hold: `report.md`, the key pictures, and a `records.json` of orders, drifts and
-/// verdicts without the runs behind them.
-///
-/// # Errors
-/// A file cannot be written, or a picture or a page cannot be made.
-pub fn write_brief(
-    records: &Records,
-    out: &Path,
-    progress: &(dyn Fn(usize, usize) + Sync),
-) -> Result<(), ReportError> {
-    let brief = Records { measurements: Vec::new(), series: Vec::new(), ..records.clone() };
-    let subjects = plot::key_subjects(records);
-    let pages = ["records.json", "report.md"];
-    let folder = Folder::open(out, "records.json")?;
-    folder.begin(&names(&pages, subjects.iter()))?;
-    write_json(&out.join("records.json"), &brief)?;
-    let main = records.without_apart();
-    let figures = write_pictures(records, &main, &subjects, out, progress)?;
-    let page = page::compose(records, &main, &figures);
-    write_page(&out.join("report.md"), |file| markdown::render(&page, file))?;
     Ok(folder.finish(&names(&pages, figures.iter().map(|figure| &figure.subject)))?)
 }
 

@@ -77,7 +77,7 @@ fn drifting(records: &Records) -> Vec<Drifting<'_>> {
         let curves: Vec<Curve> = schemes
             .iter()
             .map(|scheme| signed(curves::curve(scheme, &rows, None), &rows))
-            .filter(|curve| !curve.rungs.is_empty() && !is_exact(records, scene, curve.scheme))
+            .filter(|curve| curve.rungs.len() > 1 && !is_exact(records, scene, curve.scheme))
             .collect();
         (!curves.is_empty()).then_some(Drifting { scene, curves })
     };
@@ -116,7 +116,7 @@ fn draw_panel(sketch: &mut Sketch, records: &Records, palette: &Palette, one: &D
     for curve in &one.curves {
         let look = palette.look(curve.scheme);
         let places: Vec<Place> = curve.rungs.iter().map(|rung| panel.place(rung.step, rung.error)).collect();
-        sketch.line(places.clone(), look.ink, 4.0);
+        sketch.stroke(places.clone(), look.ink, 4.0, look.dash);
         for (place, rung) in places.into_iter().zip(&curve.rungs) {
             sketch.marker(look.marker, place, 10.0, look.ink, rung.used);
         }
