@@ -147,8 +147,8 @@ impl Columns for EnergyRung {
     type Written = EnergyRungs;
 
     fn write(rows: &[EnergyRung]) -> EnergyRungs {
-        let fields = [
-            |row: &EnergyRung| row.step,
+        let fields: [fn(&EnergyRung) -> f64; 7] = [
+            |row| row.step,
             |row| row.rate,
             |row| row.uncertainty,
             |row| row.level,
