@@ -11,7 +11,7 @@ use super::select::Selection;
 use crate::campaign::{Sizes, Survey};
 use crate::gates;
 use crate::record::{Capsule, Records, write_json};
-use crate::report::{self, Language};
+use crate::report::{self, Language, Pictures};
 
 /// Options of `polhode report`.
 #[derive(Args, Clone, Debug, Default)]
@@ -30,6 +30,9 @@ pub(super) struct Options {
     /// Only what a repository can hold: report.md, key pictures, the tables as CSV, and the verdicts
     #[arg(long)]
     brief: bool,
+    /// Write every picture as SVG, too
+    #[arg(long, conflicts_with = "brief")]
+    svg: bool,
     /// Draw this records file; nothing is run
     #[arg(long, value_name = "RECORDS", conflicts_with_all = ["schemes", "places", "named", "full"])]
     from: Option<PathBuf>,
@@ -109,8 +112,11 @@ fn measured(options: &Options, quiet: bool) -> Result<Records, Failure> {
 }
 
 fn draw(options: &Options, records: &Records, out: &Path, quiet: bool) -> Result<(), Failure> {
-    let write = if options.brief { report::write_brief } else { report::write };
-    with_bar(quiet, "drawing", |progress| write(records, out, progress))?;
+    let pictures = if options.svg { Pictures::PngAndSvg } else { Pictures::Png };
+    with_bar(quiet, "drawing", |progress| match options.brief {
+        true => report::write_brief(records, out, progress),
+        false => report::write_with(records, out, pictures, progress),
+    })?;
     print(&report::verdict_table(records, false))?;
     if !quiet {
         let page = if options.brief { "report.md" } else { "index.html" };

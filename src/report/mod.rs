@@ -100,6 +100,28 @@ pub fn write(
     out: &Path,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<(), ReportError> {
+    write_with(records, out, Pictures::Png, progress)
+}
+
+/// The files of a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pictures {
+    /// A PNG.
+    Png,
+    /// A PNG, and an SVG of the same look.
+    PngAndSvg,
+}
+
+/// The same, with pictures as SVG where they are asked for.
+///
+/// # Errors
+/// Those of [`write`].
+pub fn write_with(
+    records: &Records,
+    out: &Path,
+    pictures: Pictures,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<(), ReportError> {
     let subjects = plot::subjects(records);
     let pages = [&["records.json", "report.md", "index.html"][..], &CSV_FILES].concat();
     let folder = Folder::open(out, "records.json")?;
@@ -111,7 +133,11 @@ pub fn write(
     let page = page::compose(records, &main, &figures);
     write_page(&out.join("report.md"), |file| markdown::render(&page, file))?;
     write_page(&out.join("index.html"), |file| html::render(&page, file))?;
-    Ok(folder.finish(&names(&pages, figures.iter().map(|figure| &figure.subject)))?)
+    let mut files = names(&pages, figures.iter().map(|figure| &figure.subject));
+    if pictures == Pictures::PngAndSvg {
+        files.extend(write_vectors(records, &main, &subjects, out)?);
+    }
+    Ok(folder.finish(&files)?)
 }
 
 /// The files of a report, by their paths in its folder.
@@ -179,6 +205,25 @@ fn write_pictures(
     let drawn: Result<Vec<Option<Figure>>, ReportError> = subjects.par_iter().map(one).collect();
     let figures: Vec<Figure> = drawn?.into_iter().flatten().collect();
     Ok(figures)
+}
+
+/// Writes the pictures as SVG, and gives back the names of the files.
+fn write_vectors(
+    records: &Records,
+    main: &Records,
+    subjects: &[Subject],
+    out: &Path,
+) -> Result<Vec<String>, ReportError> {
+    let one = |subject: &Subject| {
+        let name = format!("plots/{}.svg", subject.file_stem());
+        let path = out.join(&name);
+        let fault = |plot::Fault(why)| ReportError::Picture { path: path.clone(), why };
+        let Some(picture) = plot::lay_out(records, main, subject).map_err(fault)? else { return Ok(None) };
+        write_whole(&path, plot::alone(&picture.svg().map_err(fault)?).as_bytes())?;
+        Ok(Some(name))
+    };
+    let written: Result<Vec<Option<String>>, ReportError> = subjects.par_iter().map(one).collect();
+    Ok(written?.into_iter().flatten().collect())
 }
 
 fn write_picture(picture: &Picture, path: &Path) -> Result<Figure, ReportError> {

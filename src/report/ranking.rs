@@ -16,8 +16,6 @@ pub(super) enum Work {
     Evaluations,
     /// Nanoseconds a second of simulated time.
     Nanoseconds,
-    /// The step [s], which is no work.
-    Step,
 }
 
 impl Work {
@@ -30,7 +28,6 @@ impl Work {
         let per_step = match self {
             Work::Evaluations => like.force_evaluations as f64 / like.steps.max(1) as f64,
             Work::Nanoseconds => like.nanoseconds_per_step?,
-            Work::Step => return (row.step_s > 0.0).then_some(row.step_s),
         };
         (per_step > 0.0 && row.step_s > 0.0).then(|| per_step / row.step_s)
     }

@@ -4,8 +4,8 @@ use super::legend::{self, Sign};
 use super::palette::{GRID, INK, Look, SOFT};
 use super::sketch::{Anchor, Sketch, Type};
 
-const FACE: Type = Type::plain(30.0, INK);
-const HEAD: Type = Type::plain(28.0, SOFT);
+/// Heights of letters of rows and of heads, where the table is not wider than its room.
+const EM: (f64, f64) = (30.0, 28.0);
 /// Height of a row.
 const ROW: f64 = 46.0;
 /// Between two columns.
@@ -30,26 +30,16 @@ pub(super) struct Row {
 }
 
 impl Key {
-    /// The widths of the names and of each column.
-    fn widths(&self) -> (f64, Vec<f64>) {
-        let widest = |texts: &mut dyn Iterator<Item = &str>, face: Type| {
-            texts.map(|text| face.width(text)).fold(0.0, f64::max)
-        };
-        let names = widest(&mut self.rows.iter().map(|row| row.name.as_str()), FACE);
-        let column = |(index, head): (usize, &String)| {
-            let cells = widest(&mut self.rows.iter().filter_map(|row| Some(row.cells.get(index)?.as_str())), FACE);
-            cells.max(HEAD.width(head))
-        };
-        (names, self.heads.iter().enumerate().map(column).collect())
-    }
-
-    fn width(&self) -> f64 {
-        let (names, columns) = self.widths();
-        legend::SIGN + names + columns.iter().map(|width| width + GAP).sum::<f64>()
-    }
-
-    fn blocks(&self, room: f64) -> usize {
-        if self.rows.len() >= LONG && 2.0 * self.width() + 2.0 * GAP <= room { 2 } else { 1 }
+    /// The table as it is laid out in a room: smaller where it would be wider.
+    fn layout(&self, room: f64) -> Layout {
+        let whole = Layout::of(self, 1.0);
+        if whole.width() > room {
+            // Signs and gaps keep their widths.
+            let kept = legend::SIGN + GAP * self.heads.len() as f64;
+            return Layout::of(self, (room - kept) / (whole.width() - kept));
+        }
+        let blocks = if self.rows.len() >= LONG && 2.0 * whole.width() + 2.0 * GAP <= room { 2 } else { 1 };
+        Layout { blocks, ..whole }
     }
 
     fn head(&self) -> f64 {
@@ -58,7 +48,10 @@ impl Key {
 
     /// Height that the table needs.
     pub(super) fn height(&self, room: f64) -> f64 {
-        if self.rows.is_empty() { 0.0 } else { self.head() + ROW * self.rows.len().div_ceil(self.blocks(room)) as f64 }
+        if self.rows.is_empty() {
+            return 0.0;
+        }
+        self.head() + ROW * self.rows.len().div_ceil(self.layout(room).blocks) as f64
     }
 
     /// Draws the table from a corner on.
@@ -66,30 +59,55 @@ impl Key {
         if self.rows.is_empty() {
             return;
         }
-        let blocks = self.blocks(room);
-        let (names, columns) = self.widths();
-        for (block, rows) in self.rows.chunks(self.rows.len().div_ceil(blocks)).enumerate() {
-            let left = left + block as f64 * (self.width() + 2.0 * GAP);
-            let mut ends = Vec::new();
-            columns.iter().fold(left + legend::SIGN + names, |x, width| {
-                ends.push(x + GAP + width);
-                x + GAP + width
-            });
+        let layout = self.layout(room);
+        for (block, rows) in self.rows.chunks(self.rows.len().div_ceil(layout.blocks)).enumerate() {
+            let left = left + block as f64 * (layout.width() + 2.0 * GAP);
+            let ends: Vec<f64> = layout.ends.iter().map(|end| left + end).collect();
             for (head, end) in self.heads.iter().zip(&ends) {
-                sketch.text(head, (*end, top + ROW / 2.0), Anchor::End, HEAD);
+                sketch.text(head, (*end, top + ROW / 2.0), Anchor::End, layout.head);
             }
             if !self.heads.is_empty() {
-                let end = ends.last().copied().unwrap_or(left);
-                sketch.line(vec![(left, top + ROW), (end, top + ROW)], GRID, 2.0);
+                sketch.line(vec![(left, top + ROW), (left + layout.width(), top + ROW)], GRID, 2.0);
             }
             for (index, row) in rows.iter().enumerate() {
                 let y = top + self.head() + ROW * (index as f64 + 0.5);
                 legend::draw_sign(sketch, Sign::Scheme(row.look), (left, y));
-                sketch.text(&row.name, (left + legend::SIGN, y), Anchor::Start, FACE);
+                sketch.text(&row.name, (left + legend::SIGN, y), Anchor::Start, layout.face);
                 for (cell, end) in row.cells.iter().zip(&ends) {
-                    sketch.text(cell, (*end, y), Anchor::End, FACE);
+                    sketch.text(cell, (*end, y), Anchor::End, layout.face);
                 }
             }
         }
+    }
+}
+
+/// Sizes of a table.
+struct Layout {
+    face: Type,
+    head: Type,
+    blocks: usize,
+    /// Right end of the names.
+    names: f64,
+    /// Right end of each column.
+    ends: Vec<f64>,
+}
+
+impl Layout {
+    /// With letters so many times as high as usual.
+    fn of(key: &Key, scale: f64) -> Layout {
+        let (face, head) = (Type::plain(EM.0 * scale, INK), Type::plain(EM.1 * scale, SOFT));
+        let names = key.rows.iter().map(|row| face.width(&row.name)).fold(0.0, f64::max) + legend::SIGN;
+        let mut ends = Vec::new();
+        let mut end = names;
+        for (index, title) in key.heads.iter().enumerate() {
+            let cells = key.rows.iter().filter_map(|row| row.cells.get(index));
+            end += GAP + cells.map(|cell| face.width(cell)).fold(head.width(title), f64::max);
+            ends.push(end);
+        }
+        Layout { face, head, blocks: 1, names, ends }
+    }
+
+    fn width(&self) -> f64 {
+        self.ends.last().copied().unwrap_or(self.names)
     }
 }

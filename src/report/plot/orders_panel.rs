@@ -45,10 +45,11 @@ pub(super) fn draw(sketch: &mut Sketch, records: &Records, palette: &Palette, sh
         }
         sketch.outline(column.low(), column.high(), SOFT, 2.0);
         sketch.upright(scheme, (middle, column.top - 16.0), NAME);
-        sketch.text(&claim.to_string(), (middle, column.bottom + 30.0), Anchor::Middle, NAME);
+        let claims = claims(records, scenes, scheme, *claim);
+        sketch.text(&claims, (middle, column.bottom + 30.0), Anchor::Middle, NAME);
     }
     let middle = (frame.left + frame.right) / 2.0;
-    sketch.text("claimed order", (middle, frame.bottom + 74.0), Anchor::Middle, AXIS);
+    sketch.text("claimed order; the other one without torque", (middle, frame.bottom + 74.0), Anchor::Middle, AXIS);
     let place = (frame.left - NAME_ROOM - 20.0, frame.top - 30.0);
     sketch.text("Measured order with its bounds", place, Anchor::Start, TITLE);
 }
@@ -67,20 +68,43 @@ fn draw_cell(
     let is_main = |order: &&Order| order.quantity == survey::base(quantity);
     let mut orders: Vec<&Order> = records.orders.iter().filter(here).collect();
     orders.sort_by_key(is_main);
+    let claim = claim_in(records, scene, scheme).or(survey::claimed_order(records, scheme)).unwrap_or_default();
+    let more = f64::from(claim) - (panel.x.low + panel.x.high) / 2.0;
     for order in orders {
-        draw_order(sketch, palette, (panel, y), order, is_main(&order));
+        draw_order(sketch, palette, (panel, y), (order, more), is_main(&order));
     }
 }
 
-/// A dot and its whisker; an order outside the panel stands hollow on its edge.
-fn draw_order(sketch: &mut Sketch, palette: &Palette, (panel, y): (&Panel, f64), order: &Order, main: bool) {
-    let Some(value) = order.order else { return };
+/// The order that a scheme claims in a scene: some claim another one without torque.
+fn claim_in(records: &Records, scene: &str, scheme: &str) -> Option<u32> {
+    let own = records.evidence.iter().find(|row| row.scene == scene && row.scheme == scheme)?;
+    Some(own.order()).filter(|order| *order > 0)
+}
+
+/// The claims of a scheme over all scenes: `2`, or `2, 4`.
+fn claims(records: &Records, scenes: &[&str], scheme: &str, claim: u32) -> String {
+    let mut all: Vec<u32> = scenes.iter().filter_map(|scene| claim_in(records, scene, scheme)).collect();
+    all.push(claim);
+    all.sort_unstable();
+    all.dedup();
+    all.iter().map(u32::to_string).collect::<Vec<_>>().join(", ")
+}
+
+/// A dot and its whisker; an order outside the panel stands hollow on its edge. `more` is how much more is claimed in the scene than in the column.
+fn draw_order(
+    sketch: &mut Sketch,
+    palette: &Palette,
+    (panel, y): (&Panel, f64),
+    (order, more): (&Order, f64),
+    main: bool,
+) {
+    let Some(value) = order.order.map(|value| value - more) else { return };
     let look = palette.look(&order.scheme);
     let across = |value: f64| panel.across(value.clamp(panel.x.low, panel.x.high));
     let (radius, width) = if main { (10.0, 6.0) } else { (5.0, 2.0) };
     let ink = if main { look.ink } else { tint(look.ink, 0.55) };
     if let (Some(low), Some(high)) = (order.low, order.high) {
-        sketch.line(vec![(across(low), y), (across(high), y)], ink, width);
+        sketch.line(vec![(across(low - more), y), (across(high - more), y)], ink, width);
     }
     let inside = (panel.x.low..=panel.x.high).contains(&value);
     sketch.marker(look.marker, (across(value), y), radius, ink, inside || !main);

@@ -7,11 +7,11 @@ use super::panel::{Frame, Panel};
 use super::sketch::{Anchor, Place, Sketch, Type};
 
 /// Width and height of the corner, as parts of the frame, and its distance from the frame.
-const PART: (f64, f64) = (0.3, 0.4);
+const PART: (f64, f64) = (0.36, 0.5);
 const MARGIN: f64 = 26.0;
-const NAME: Type = Type::plain(28.0, INK);
+const NAME: Type = Type::plain(26.0, INK);
 /// Room for a name at the end of a line; names nearer to one another are left out.
-const ROOM: f64 = 40.0;
+const ROOM: f64 = 30.0;
 
 /// Draws lines of these slopes in the first corner without curves: where steps are long and errors small, or the opposite one.
 pub(super) fn draw(sketch: &mut Sketch, panel: &Panel, curves: &[Vec<Place>], orders: &[u32]) {
@@ -21,7 +21,7 @@ pub(super) fn draw(sketch: &mut Sketch, panel: &Panel, curves: &[Vec<Place>], or
     let upper = Frame { left, top, right: left + width, bottom: top + height };
     let free = |corner: &Frame| curves.iter().all(|curve| !enters(curve, corner));
     if let Some(corner) = [lower, upper].into_iter().find(free) {
-        fan(sketch, panel, corner.inside(MARGIN, MARGIN + ROOM, MARGIN + ROOM, MARGIN), orders);
+        fan(sketch, panel, corner.inside(MARGIN, MARGIN + ROOM, MARGIN + 1.5 * ROOM, MARGIN), orders);
     }
 }
 

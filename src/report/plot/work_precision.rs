@@ -1,6 +1,6 @@
-//! Per scene: the errors of every quantity against what they cost: nanoseconds a simulated second, force evaluations a simulated
-//! second, and against the step. A scheme is a line; the Pareto front, where nothing has a smaller error for less work, is
-//! drawn over them, and what the reference leaves undecided is a band.
+//! Per scene: the error of the orientation, or of the position, against what it costs: nanoseconds a simulated second, and force evaluations a
+//! simulated second. A main scheme is a line in its colour, any other is grey; the Pareto front, where nothing has a smaller error for less
+//! work, is drawn over them, and errors below the uncertainty of the reference lie in a band.
 
 use crate::record::Records;
 use crate::report::ranking::{self, Ladder, Work};
@@ -17,7 +17,7 @@ use super::work_precision_panel as one;
 const WIDTH: f64 = 2600.0;
 const TOP: f64 = 150.0;
 const MARGIN: f64 = 30.0;
-const ROW: f64 = 660.0;
+const ROW: f64 = 900.0;
 
 /// The columns, with what stands under each. The error against the step has a picture of its own.
 const COLUMNS: [(Work, &str); 2] = [
@@ -55,9 +55,12 @@ impl Group {
         }
     }
 
-    fn holds(self, quantity: &str) -> bool {
-        let turns = matches!(quantity, "orientation" | "angular-velocity" | "angular-momentum");
-        turns == (self == Group::Rotation)
+    /// The quantity that stands for the group: those of a group converge alike, and the error against the step shows all of them.
+    fn quantity(self) -> &'static str {
+        match self {
+            Group::Rotation => "orientation",
+            Group::Motion => "position",
+        }
     }
 }
 
@@ -137,7 +140,7 @@ fn rows<'a>(
     let more = |row: &Row| cast == Cast::Main || row.ladders[1].iter().any(|l| is_apart(main, l.scheme));
     curves::at_the_end(records, scene)
         .into_iter()
-        .filter(|q| group.holds(q.name))
+        .filter(|one| one.name == group.quantity())
         .map(of)
         .filter(|row| row.ladders[1].iter().any(tells) && more(row))
         .collect()
