@@ -7,8 +7,8 @@ use crate::record::{Series, TIME_DIGITS, to_digits};
 use crate::reference::Reference;
 use crate::rotation;
 
-/// Digits of a value.
-const DIGITS: usize = 5;
+/// Digits of a value: it is drawn, and a curve of 1,000 pixels shows no more.
+const DIGITS: usize = 3;
 /// Part of the duration by which the times of a state and of the reference may differ.
 const SAME_TIME: f64 = 1e-9;
 

@@ -9,6 +9,7 @@ pub mod stability;
 mod capsule;
 mod columns;
 mod cost;
+mod ditto;
 mod engines;
 mod evidence;
 mod findings;
@@ -83,7 +84,7 @@ pub struct Records {
     #[serde(default)]
     pub drifts: Vec<Drift>,
     /// One row a scene and scheme: what the gates read.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty", with = "ditto")]
     pub evidence: Vec<Arc<Evidence>>,
     /// One row a scene: its reference, as the gates read it.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]

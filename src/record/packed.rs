@@ -5,7 +5,7 @@
 //! ```
 //!
 //! The place is written in base 64, the highest digit first. The first character of the text is d: `5` has four characters a number and
-//! e₀ = 70, `2` has two, e₀ = 34 and no sign, and `*` has the 64 bits of the double in eleven. A dot is a zero, whose sign is lost but where bits are written. Lists are
+//! e₀ = 70, `3` has three and e₀ = 70, `2` has two, e₀ = 34 and no sign, and `*` has the 64 bits of the double in eleven. A dot is a zero, whose sign is lost but where bits are written. Lists are
 //! separated by commas. A reader gets each number back to the last bit.
 
 use serde::de::{Error, SeqAccess, Visitor, value::SeqAccessDeserializer};
@@ -31,8 +31,9 @@ struct Code {
 }
 
 /// The codes, the shortest first.
-const CODES: [Code; 3] = [
+const CODES: [Code; 4] = [
     Code { name: b'2', width: 2, least: 10, exponent: -34, signs: 1 },
+    Code { name: b'3', width: 3, least: 100, exponent: -70, signs: 2 },
     Code { name: b'5', width: 4, least: 10_000, exponent: -70, signs: 2 },
     Code { name: b'*', width: 11, least: 0, exponent: 0, signs: 1 },
 ];
@@ -236,15 +237,18 @@ mod tests {
     #[test]
     fn numbers_come_back_to_the_last_bit_in_the_shortest_code_that_holds_them() {
         let two = [1e-33, 9.9e-5, 0.5, 30.0, 9.9e10, 0.0];
+        let three = [-1e-66, 9.99e-9, -0.25, 123.0, -9.99e25, 0.0, 3e-24];
         let five = [-1e-66, 9.9999e-9, -0.25, 123.45, -9.9999e25, 0.0, 3e-24];
         let all = [std::f64::consts::PI, -0.1 - 0.2, 1e-300, f64::MAX, f64::NAN, f64::NEG_INFINITY, 0.0];
-        for (numbers, sign, length) in [(&two[..], '2', 12), (&five, '5', 26), (&all, '*', 68)] {
+        for (numbers, sign, length) in
+            [(&two[..], '2', 12), (&three, '3', 20), (&five, '5', 26), (&all, '*', 68)]
+        {
             let text = text_of(&[numbers]);
             assert!(text.starts_with(sign) && text.len() == length, "{text}");
             let bits = |list: &[f64]| list.iter().map(|number| number.to_bits()).collect::<Vec<_>>();
             assert_eq!(bits(&lists_of(&text).expect("lists")[0]), bits(numbers));
         }
-        assert!(text_of(&[&[1e-67]]).starts_with('*') && text_of(&[&[-1.5]]).starts_with('5'));
+        assert!(text_of(&[&[1e-67]]).starts_with('*') && text_of(&[&[-1.5]]).starts_with('3'));
     }
 
     #[test]
