@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::rows;
+use super::{against_time, rows};
 use crate::claim::Claim;
 use crate::gates::{self, Baseline};
 use crate::measure::{self, Climbed, Decision, Rung};
@@ -59,7 +59,11 @@ pub(super) fn measure(
         orders: rows::orders(&names, &evidence.ladder),
         drifts: evidence.drift.iter().map(|drift| rows::drift(&names, drift)).collect(),
         verdicts: gates::judge(&evidence, baseline),
-        series: if series { against_time(&names, scene, contestant, &climbed.rungs) } else { Vec::new() },
+        series: if series {
+            series_of(&names, (scene, reference), contestant, &climbed.rungs)
+        } else {
+            Vec::new()
+        },
         evidence: Arc::new(evidence),
     }
 }
@@ -183,10 +187,16 @@ pub(super) fn refused(scene: &Scene, contestant: &Contestant, reason: &str) -> C
 }
 
 /// Energy and angular momentum against time, at a step that a user might take, the same for every scheme.
-fn against_time(names: &rows::Names, scene: &Scene, contestant: &Contestant, rungs: &[Rung]) -> Vec<Series> {
+fn series_of(
+    names: &rows::Names,
+    (scene, reference): (&Scene, &Reference),
+    contestant: &Contestant,
+    rungs: &[Rung],
+) -> Vec<Series> {
     let Some(coarsest) = rungs.first() else { return Vec::new() };
     let steps = coarsest.steps * SERIES_STEPS.div_ceil(coarsest.steps);
     let plan = Plan::over(scene.duration, steps, SERIES_SAMPLES);
     let run = contestant.run(&scene.system, Form::Least, &plan);
-    rows::series(names, &scene.system, plan.step, &run.states)
+    let run = against_time::Run { system: &scene.system, reference, step: plan.step, states: &run.states };
+    run.series(names)
 }

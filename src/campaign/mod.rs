@@ -4,6 +4,7 @@
 //! many give the same numbers to the last bit, timings aside.
 
 pub(crate) mod cell;
+mod against_time;
 mod costs;
 mod motions;
 #[cfg(feature = "cli")]

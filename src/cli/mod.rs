@@ -13,6 +13,7 @@ mod list;
 mod output;
 mod progress;
 mod reference;
+mod replay;
 mod report;
 mod run;
 mod select;
@@ -98,6 +99,8 @@ enum Command {
     Inspect(inspect::Options),
     /// Solve a scene to many digits, with a bound of the error
     Reference(reference::Options),
+    /// Run a capsule again and compare every row to the bit
+    Replay(replay::Options),
     /// Plant defects: each must turn a gate red
     SelfTest(self_test::Options),
     /// List what there is
@@ -152,6 +155,7 @@ fn dispatch(arguments: Arguments) -> Result<u8, Failure> {
         Command::Judge(options) => judge::judge(&options),
         Command::Inspect(options) => inspect::inspect(&options),
         Command::Reference(options) => reference::reference(&options, everywhere.quiet),
+        Command::Replay(options) => replay::replay(&options, everywhere.quiet),
         Command::SelfTest(options) => self_test::self_test(&options, everywhere.quiet),
         Command::List(options) => list::list(&options),
     }?;

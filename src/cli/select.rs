@@ -7,6 +7,7 @@ use clap::Args;
 use super::Failure;
 use crate::engine::{self, Engine};
 use crate::model::Quantity;
+use crate::record::SceneText;
 use crate::scenes::{self, Scene};
 use crate::schemes::Card;
 use crate::simulate::Contestant;
@@ -127,6 +128,15 @@ impl Selection {
 
     pub(super) fn scenes(&self) -> Result<Vec<Scene>, Failure> {
         self.scenes.open()
+    }
+
+    /// The texts of the scenes.
+    pub(super) fn texts(&self) -> Result<Vec<SceneText>, Failure> {
+        let names = self.scenes.names();
+        let all = || scenes::FILES.iter().map(|(name, _)| (*name).to_owned()).collect();
+        let names: Vec<String> = if names.is_empty() { all() } else { names };
+        let text = |name: String| Ok(SceneText { toml: Scene::text(&name)?, name });
+        names.into_iter().map(text).collect()
     }
 }
 

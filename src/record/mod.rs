@@ -5,7 +5,11 @@
 //! (`null` on disk), never a NaN.
 
 pub mod stability;
+#[cfg(feature = "cli")]
+mod capsule;
+mod columns;
 mod cost;
+mod ditto;
 mod engines;
 mod evidence;
 mod findings;
@@ -30,6 +34,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::bounded::{self, FileError};
 pub use crate::claim::ClaimName;
+#[cfg(feature = "cli")]
+pub use capsule::{Capsule, Difference, Request, SceneText};
 pub use cost::{CostRow, Grows, ScalingRow};
 pub use engines::{EngineRow, PeerRow, Twin};
 pub use evidence::*;
@@ -43,7 +49,7 @@ pub use precision::{GrowsAs, Growth, PrecisionRow, PrecisionRun, Reach};
 pub use published::{Agreement, PublishedRow, Sureness, last_digit};
 pub use subjects::{ReferenceRow, SceneRow, SchemeRow};
 #[cfg(feature = "cli")]
-pub use tables::{write_csv, write_json};
+pub use tables::{BRIEF_CSV_FILES, CSV_FILES, write_brief_csv, write_csv, write_json};
 pub use verdict::{Ruling, Verdict};
 #[cfg(feature = "cli")]
 pub(crate) use whole::{WholeFile, write_whole};
@@ -80,7 +86,7 @@ pub struct Records {
     #[serde(default)]
     pub drifts: Vec<Drift>,
     /// One row a scene and scheme: what the gates read.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty", with = "ditto")]
     pub evidence: Vec<Arc<Evidence>>,
     /// One row a scene: its reference, as the gates read it.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]

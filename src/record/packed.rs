@@ -5,7 +5,7 @@
 //! ```
 //!
 //! The place is written in base 64, the highest digit first. The first character of the text is d: `5` has four characters a number and
-//! e₀ = 70, `3` has three and e₀ = 70, `2` has two, e₀ = 34 and no sign, and `*` has the 64 bits of the double in eleven. A dot is a zero, whose sign is lost. Lists are
+//! e₀ = 70, `3` has three and e₀ = 70, `2` has two, e₀ = 34 and no sign, and `*` has the 64 bits of the double in eleven. A dot is a zero, whose sign is lost but where bits are written. Lists are
 //! separated by commas. A reader gets each number back to the last bit.
 
 use serde::de::{Error, SeqAccess, Visitor, value::SeqAccessDeserializer};
@@ -77,13 +77,13 @@ fn decimal(mantissa: u64, exponent: i32) -> f64 {
 }
 
 /// Lists of numbers as text, in the shortest code that holds all of them.
-fn pack(lists: &[&[f64]]) -> String {
+pub(super) fn text_of(lists: &[&[f64]]) -> String {
     let written = |code: &Code| {
         let mut text = vec![code.name];
         for (index, list) in lists.iter().enumerate() {
             text.extend((index > 0).then_some(b','));
             for value in *list {
-                if *value == 0.0 {
+                if *value == 0.0 && (code.least > 0 || value.is_sign_positive()) {
                     text.push(b'.');
                     continue;
                 }
@@ -97,7 +97,7 @@ fn pack(lists: &[&[f64]]) -> String {
 }
 
 /// The lists of such a text; `None` where it is none.
-fn unpack(text: &str) -> Option<Vec<Vec<f64>>> {
+pub(super) fn lists_of(text: &str) -> Option<Vec<Vec<f64>>> {
     let (name, mut rest) = text.as_bytes().split_first()?;
     let code = CODES.iter().find(|code| code.name == *name)?;
     let mut lists = vec![Vec::new()];
@@ -141,7 +141,7 @@ impl<'de, const LISTS: usize> Visitor<'de> for Packed<LISTS> {
     }
 
     fn visit_str<E: Error>(self, text: &str) -> Result<Self::Value, E> {
-        let lists = unpack(text).and_then(|lists| lists.try_into().ok());
+        let lists = lists_of(text).and_then(|lists| lists.try_into().ok());
         lists.ok_or_else(|| E::invalid_value(serde::de::Unexpected::Str(text), &self))
     }
 
@@ -164,7 +164,7 @@ pub(super) mod list {
     use super::*;
 
     pub fn serialize<S: Serializer>(list: &[f64], serializer: S) -> Result<S::Ok, S::Error> {
-        pack(&[list]).serialize(serializer)
+        text_of(&[list]).serialize(serializer)
     }
 
     pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<f64>, D::Error> {
@@ -173,12 +173,56 @@ pub(super) mod list {
     }
 }
 
+/// A number for each quantity.
+pub(super) mod numbers {
+    use super::*;
+
+    pub fn serialize<S: Serializer>(numbers: &PerQuantity<f64>, serializer: S) -> Result<S::Ok, S::Error> {
+        text_of(&[&Quantity::ALL.map(|quantity| numbers[quantity])]).serialize(serializer)
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<PerQuantity<f64>, D::Error> {
+        let [list] = deserializer.deserialize_any(Packed::<1>)?;
+        let found = list.len();
+        let numbers: Result<[f64; Quantity::ALL.len()], _> = list.try_into();
+        numbers
+            .map(PerQuantity::from)
+            .map_err(|_| Error::invalid_length(found, &"a number for each quantity"))
+    }
+}
+
+/// Vectors.
+pub(super) mod vectors {
+    use super::*;
+
+    #[derive(Deserialize)]
+    #[serde(untagged)]
+    enum Either {
+        Packed(String),
+        Rows(Vec<[f64; 3]>),
+    }
+
+    pub fn serialize<S: Serializer>(vectors: &[[f64; 3]], serializer: S) -> Result<S::Ok, S::Error> {
+        text_of(&[vectors.as_flattened()]).serialize(serializer)
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<[f64; 3]>, D::Error> {
+        let text = match Either::deserialize(deserializer)? {
+            Either::Rows(rows) => return Ok(rows),
+            Either::Packed(text) => text,
+        };
+        let lists = lists_of(&text).filter(|lists| lists.len() == 1 && lists[0].len() % 3 == 0);
+        let list = lists.ok_or_else(|| Error::custom("packed text of no vectors"))?.concat();
+        Ok(list.chunks_exact(3).map(|vector| [vector[0], vector[1], vector[2]]).collect())
+    }
+}
+
 /// A list for each quantity.
 pub(super) mod lists {
     use super::*;
 
     pub fn serialize<S: Serializer>(lists: &PerQuantity<Vec<f64>>, serializer: S) -> Result<S::Ok, S::Error> {
-        pack(&Quantity::ALL.map(|quantity| lists[quantity].as_slice())).serialize(serializer)
+        text_of(&Quantity::ALL.map(|quantity| lists[quantity].as_slice())).serialize(serializer)
     }
 
     pub fn deserialize<'de, D: Deserializer<'de>>(
@@ -201,12 +245,12 @@ mod tests {
         for (numbers, sign, length) in
             [(&two[..], '2', 12), (&three, '3', 20), (&five, '5', 26), (&all, '*', 68)]
         {
-            let text = pack(&[numbers]);
+            let text = text_of(&[numbers]);
             assert!(text.starts_with(sign) && text.len() == length, "{text}");
             let bits = |list: &[f64]| list.iter().map(|number| number.to_bits()).collect::<Vec<_>>();
-            assert_eq!(bits(&unpack(&text).expect("lists")[0]), bits(numbers));
+            assert_eq!(bits(&lists_of(&text).expect("lists")[0]), bits(numbers));
         }
-        assert!(pack(&[&[1e-67]]).starts_with('*') && pack(&[&[-1.5]]).starts_with('3'));
+        assert!(text_of(&[&[1e-67]]).starts_with('*') && text_of(&[&[-1.5]]).starts_with('3'));
     }
 
     #[test]

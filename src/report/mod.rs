@@ -3,6 +3,7 @@
 //! This module reads [`Records`] only. It never runs a scheme: a picture cannot redo a calculation, and a report
 //! can be made again from a `records.json` alone.
 
+mod brief;
 mod engines;
 mod folder;
 mod github;
@@ -11,6 +12,7 @@ mod junit;
 mod markdown;
 mod number;
 mod page;
+mod paper;
 mod plot;
 mod published;
 mod ranking;
@@ -25,11 +27,13 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
-use crate::record::{RecordError, Records, WholeFile, write_csv, write_json, write_whole};
+use crate::record::{CSV_FILES, RecordError, Records, WholeFile, write_csv, write_json, write_whole};
 
+pub use brief::write_brief;
 pub use folder::try_folder;
 pub use github::annotations;
 pub use junit::junit;
+pub use paper::{Language, paper_tables};
 pub use plot::motion::motion_picture;
 pub use plot::{heat_map, line_chart};
 pub use published::write_published;
@@ -96,19 +100,46 @@ pub fn write(
     out: &Path,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<(), ReportError> {
+    write_with(records, out, Pictures::Png, progress)
+}
+
+/// The files of a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pictures {
+    /// A PNG.
+    Png,
+    /// A PNG, and an SVG of the same look.
+    PngAndSvg,
+}
+
+/// The same, with pictures as SVG where they are asked for.
+///
+/// # Errors
+/// Those of [`write`].
+pub fn write_with(
+    records: &Records,
+    out: &Path,
+    pictures: Pictures,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<(), ReportError> {
     let subjects = plot::subjects(records);
-    let mut pages = ["records.json", "records.csv", "report.md"].map(str::to_owned).to_vec();
+    let mut pages = ["records.json", "report.md"].map(str::to_owned).to_vec();
+    pages.extend(CSV_FILES.map(str::to_owned));
     pages.extend(html::names(records));
     let folder = Folder::open(out, "records.json")?;
     folder.begin(&names(&pages, subjects.iter()))?;
     write_json(&out.join("records.json"), records)?;
-    write_csv(&out.join("records.csv"), records)?;
+    write_csv(out, records)?;
     let main = records.without_apart();
     let figures = write_pictures(records, &main, &subjects, out, progress)?;
     let page = page::compose(records, &main, &figures);
     write_page(&out.join("report.md"), |file| markdown::render(&page, file))?;
     html::write(records, &main, &page, out)?;
-    Ok(folder.finish(&names(&pages, figures.iter().map(|figure| &figure.subject)))?)
+    let mut files = names(&pages, figures.iter().map(|figure| &figure.subject));
+    if pictures == Pictures::PngAndSvg {
+        files.extend(write_vectors(records, &main, &subjects, out)?);
+    }
+    Ok(folder.finish(&files)?)
 }
 
 /// Writes `index.html`, one page with everything in it, and `records.json` beside it.
@@ -135,33 +166,10 @@ pub fn write_single_file(
     Ok(folder.finish(&names(&pages, std::iter::empty()))?)
 }
 
-/// Writes what a repository can hold: `report.md`, the key pictures, and a `records.json` of orders, drifts and
-/// verdicts without the runs behind them.
-///
-/// # Errors
-/// A file cannot be written, or a picture or a page cannot be made.
-pub fn write_brief(
-    records: &Records,
-    out: &Path,
-    progress: &(dyn Fn(usize, usize) + Sync),
-) -> Result<(), ReportError> {
-    let brief = Records { measurements: Vec::new(), series: Vec::new(), ..records.clone() };
-    let subjects = plot::key_subjects(records);
-    let pages = ["records.json", "report.md"].map(str::to_owned);
-    let folder = Folder::open(out, "records.json")?;
-    folder.begin(&names(&pages, subjects.iter()))?;
-    write_json(&out.join("records.json"), &brief)?;
-    let main = records.without_apart();
-    let figures = write_pictures(records, &main, &subjects, out, progress)?;
-    let page = page::compose(records, &main, &figures);
-    write_page(&out.join("report.md"), |file| markdown::render(&page, file))?;
-    Ok(folder.finish(&names(&pages, figures.iter().map(|figure| &figure.subject)))?)
-}
-
 /// The files of a report, by their paths in its folder.
-fn names<'a>(pages: &[String], pictures: impl Iterator<Item = &'a Subject>) -> BTreeSet<String> {
+fn names<'a>(pages: &[impl AsRef<str>], pictures: impl Iterator<Item = &'a Subject>) -> BTreeSet<String> {
     let pictures = pictures.map(|subject| format!("plots/{}", subject.file_name()));
-    pages.iter().cloned().chain(pictures).collect()
+    pages.iter().map(|page| page.as_ref().to_owned()).chain(pictures).collect()
 }
 
 /// Writes the section on foreign programs as a page of its own: `engines.md`, its pictures beside it as SVG, a
@@ -223,6 +231,25 @@ fn write_pictures(
     let drawn: Result<Vec<Option<Figure>>, ReportError> = subjects.par_iter().map(one).collect();
     let figures: Vec<Figure> = drawn?.into_iter().flatten().collect();
     Ok(figures)
+}
+
+/// Writes the pictures as SVG, and gives back the names of the files.
+fn write_vectors(
+    records: &Records,
+    main: &Records,
+    subjects: &[Subject],
+    out: &Path,
+) -> Result<Vec<String>, ReportError> {
+    let one = |subject: &Subject| {
+        let name = format!("plots/{}.svg", subject.file_stem());
+        let path = out.join(&name);
+        let fault = |plot::Fault(why)| ReportError::Picture { path: path.clone(), why };
+        let Some(picture) = plot::lay_out(records, main, subject).map_err(fault)? else { return Ok(None) };
+        write_whole(&path, plot::alone(&picture.svg().map_err(fault)?).as_bytes())?;
+        Ok(Some(name))
+    };
+    let written: Result<Vec<Option<String>>, ReportError> = subjects.par_iter().map(one).collect();
+    Ok(written?.into_iter().flatten().collect())
 }
 
 fn write_picture(picture: &Picture, path: &Path) -> Result<Figure, ReportError> {

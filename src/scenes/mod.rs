@@ -104,8 +104,19 @@ impl Scene {
     /// # Errors
     /// [`SceneError`].
     pub fn find(name_or_path: &str) -> Result<Scene, SceneError> {
-        if let Some((name, text)) = FILES.iter().find(|(name, _)| *name == name_or_path) {
-            return parse_built_in(name, text);
+        match FILES.iter().find(|(name, _)| *name == name_or_path) {
+            Some((name, text)) => parse_built_in(name, text),
+            None => Scene::parse(&Scene::text(name_or_path)?, name_or_path),
+        }
+    }
+
+    /// The text of a built-in scene, or of the file at a path.
+    ///
+    /// # Errors
+    /// [`SceneError`].
+    pub fn text(name_or_path: &str) -> Result<String, SceneError> {
+        if let Some((_, text)) = FILES.iter().find(|(name, _)| *name == name_or_path) {
+            return Ok((*text).to_owned());
         }
         let path = Path::new(name_or_path);
         let is_path = name_or_path.contains(['/', std::path::MAIN_SEPARATOR])
@@ -115,13 +126,12 @@ impl Scene {
             let near = wording::three_nearest(name_or_path, FILES.iter().map(|(name, _)| *name));
             return Err(SceneError::Unknown { name: name_or_path.to_string(), near });
         }
-        let text = bounded::text(path, bounded::MOST_OF_A_SCENE).map_err(|error| match error {
+        bounded::text(path, bounded::MOST_OF_A_SCENE).map_err(|error| match error {
             FileError::Unreadable { file, source } => SceneError::Unreadable { file, source },
             FileError::Content { file, line, why } => {
                 SceneError::Content { file, line, key: String::new(), message: why }
             }
-        })?;
-        Scene::parse(&text, name_or_path)
+        })
     }
 }
 

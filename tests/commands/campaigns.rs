@@ -170,6 +170,56 @@ fn a_report_has_all_its_files() {
     assert!(header.starts_with("scene,scheme,model,step_s,steps,metric,value,unit,uncertainty,status,why"));
 }
 
+#[test]
+fn a_records_file_is_drawn_again_without_a_run_and_gives_the_tables_of_a_paper() {
+    let folder = scratch();
+    let at = |name: &str| folder.path().join(name).to_string_lossy().into_owned();
+    let (first, again) = (at("first"), at("again"));
+    let made = ["report", "--quiet", "free-oblate", "--scheme", "euler", "--out", &first];
+    assert_eq!(code(&polhode(&made)), 0);
+    let records = at("first/records.json");
+    let output = polhode(&["report", "--quiet", "--from", &records, "--out", &again]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    for name in ["records.json", "orders.csv", "constants.csv", "drifts.csv", "plots/drift-rates.png"] {
+        let read = |folder: &str| fs::read(Path::new(folder).join(name)).expect("written");
+        assert!(read(&first) == read(&again), "{name}");
+    }
+    let tables = stdout(&polhode(&["report", "--quiet", "--from", &records, "--format", "latex"]));
+    assert!(tables.contains("\\begin{tabular}") && tables.contains("euler"));
+    assert_eq!(code(&polhode(&["report", "--from", &records, "--format", "word"])), 64);
+    let cut = at("cut.json");
+    let text = fs::read_to_string(&records).expect("written");
+    fs::write(&cut, &text[..text.len() / 2]).expect("written");
+    assert_eq!(code(&polhode(&["report", "--quiet", "--from", &cut, "--out", &at("none")])), 65);
+    assert!(!folder.path().join("none/index.html").exists());
+}
+
+#[test]
+fn a_capsule_is_replayed_to_the_bit_and_a_row_that_differs_is_1() {
+    let folder = scratch();
+    let at = |name: &str| folder.path().join(name).to_string_lossy().into_owned();
+    let (out, capsule) = (at("out"), at("capsule.json"));
+    let made =
+        ["report", "--quiet", "free-oblate", "--scheme", "euler", "--out", &out, "--capsule", &capsule];
+    assert_eq!(code(&polhode(&made)), 0);
+    let replayed = polhode(&["replay", "--quiet", &capsule]);
+    assert_eq!(code(&replayed), 0, "{}", stdout(&replayed));
+    // The same numbers from another scheme, with hashes that belong to them: rows differ.
+    let text = fs::read_to_string(&capsule).expect("written");
+    let other = at("other.json");
+    fs::write(&other, text.replace("\"schemes\":[\"euler\"]", "\"schemes\":[\"peskin-rk2\"]"))
+        .expect("written");
+    let replayed = polhode(&["replay", "--quiet", &other]);
+    assert_eq!(code(&replayed), 1, "{}", stderr(&replayed));
+    // A number that was edited does not have its hash.
+    fs::write(
+        &other,
+        text.replace("free-oblate\",\"scheme\":\"euler\"", "free-oblate\",\"scheme\":\"eulers\""),
+    )
+    .expect("written");
+    assert_eq!(code(&polhode(&["replay", "--quiet", &other])), 65);
+}
+
 #[cfg(unix)]
 #[test]
 fn an_interrupted_report_leaves_what_was_measured_readable() {

@@ -135,12 +135,11 @@ impl OrderRow {
     }
 }
 
-/// What five digits of two errors leave of a constant, relative: three times half a unit of the last.
-const OF_DIGITS: f64 = 1.5e-5;
-
-/// C of C hᵖ. It is extrapolated from two runs that differ from a power of h by r, which leaves about r² of it.
+/// C of C hᵖ with its uncertainty.
 fn constant(order: &Order) -> String {
-    let (Some(constant), Some(slope), Some(r)) = (order.constant, order.order, order.r) else {
+    let (Some(constant), Some(slope), Some(part)) =
+        (order.constant, order.order, order.constant_uncertainty())
+    else {
         return number::quantity(order.constant, None, &order.unit);
     };
     let power = slope.round() as u32;
@@ -150,7 +149,7 @@ fn constant(order: &Order) -> String {
         plain => plain.to_string(),
     };
     let per = if power == 1 { "/s".to_string() } else { format!("/s{}", number::superscript(power as i32)) };
-    number::quantity(Some(constant), Some(constant * (r * r + OF_DIGITS)), &format!("{unit}{per}"))
+    number::quantity(Some(constant), Some(constant * part), &format!("{unit}{per}"))
 }
 
 /// A conserved quantity's drift.

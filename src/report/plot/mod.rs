@@ -3,6 +3,7 @@
 mod axis;
 mod cheapest;
 mod colour_map;
+mod colours;
 mod convergence;
 mod convergence_panel;
 mod curves;
@@ -11,10 +12,12 @@ mod engines;
 mod font;
 pub mod heat_map;
 mod invariants;
+mod key;
 mod labels;
 mod legend;
 pub mod line_chart;
 pub mod motion;
+mod orders_panel;
 mod overview;
 mod overview_panels;
 mod palette;
@@ -23,11 +26,15 @@ mod precision;
 mod raster;
 mod render;
 mod sketch;
+mod slopes;
 mod scaling;
 mod strip;
+mod vector;
 pub(super) mod stability;
 mod work_precision;
 mod work_precision_panel;
+
+use std::collections::HashSet;
 
 use crate::record::Records;
 
@@ -35,8 +42,9 @@ use super::ranking::Work;
 use super::survey;
 use palette::Palette;
 pub(in crate::report) use raster::base64;
-pub(in crate::report) use render::{Fault, alone};
+pub(in crate::report) use render::Fault;
 use sketch::Sketch;
+pub(in crate::report) use vector::alone;
 pub(super) use work_precision::{Cast, Group};
 
 /// What a picture shows.
@@ -103,7 +111,7 @@ impl Picture {
 
     /// The picture as an SVG element.
     pub(super) fn svg(&self) -> Result<String, Fault> {
-        render::svg(&self.sketch)
+        vector::svg(&self.sketch)
     }
 }
 
@@ -114,7 +122,7 @@ impl Looks {
     /// Of the schemes that are drawn, as their pictures have them, and of those that stand apart.
     pub(super) fn new(records: &Records) -> Looks {
         let main = records.without_apart();
-        let palette = Palette::new(survey::measured_schemes(&main));
+        let palette = Palette::of_schemes(survey::measured_schemes(&main), &main.schemes);
         let look = |name: &str| (name.to_owned(), hexadecimal(palette.look(name).ink));
         let mut looks: Vec<(String, String)> = palette.schemes().iter().map(|name| look(name)).collect();
         let others = survey::measured_schemes(records).into_iter().enumerate();
@@ -152,12 +160,18 @@ pub(super) fn subjects(records: &Records) -> Vec<Subject> {
     for scene in survey::scenes(records) {
         subjects.push(Subject::Convergence(scene.into()));
         subjects.push(Subject::Invariants(scene.into()));
-        for cast in [Cast::Main, Cast::Everyone] {
-            subjects.extend(Group::ALL.map(|group| Subject::WorkPrecision(scene.into(), cast, group)));
-        }
+        let cast = if has_more_than_the_main_ones(records, scene) { Cast::Everyone } else { Cast::Main };
+        subjects.extend(Group::ALL.map(|group| Subject::WorkPrecision(scene.into(), cast, group)));
     }
     subjects.extend(engine_subjects(records));
     subjects
+}
+
+/// Whether schemes that stand apart were run on a scene: the picture of all shows the main ones, too.
+fn has_more_than_the_main_ones(records: &Records, scene: &str) -> bool {
+    let apart: HashSet<&str> =
+        records.schemes.iter().filter(|row| row.apart).map(|row| row.name.as_str()).collect();
+    records.measurements.iter().any(|row| row.scene == scene && apart.contains(row.scheme.as_str()))
 }
 
 /// The pictures of foreign programs: none where there is no program.
@@ -190,14 +204,14 @@ pub(super) fn lay_out(
     subject: &Subject,
 ) -> Result<Option<Picture>, Fault> {
     font::register().map_err(|why| Fault(why.into()))?;
-    let palette = Palette::new(survey::measured_schemes(main));
+    let palette = Palette::of_schemes(survey::measured_schemes(main), &main.schemes);
     let sketch = match subject {
         Subject::Overview => overview::sketch(main, &palette),
         Subject::DriftRates => drift::sketch(main, &palette),
         Subject::Convergence(scene) => convergence::sketch(main, &palette, scene),
         Subject::Invariants(scene) => invariants::sketch(main, &palette, scene),
         Subject::WorkPrecision(scene, cast, group) => {
-            work_precision::sketch(records, main, scene, (*cast, *group))
+            work_precision::sketch(records, main, &palette, scene, (*cast, *group))
         }
         Subject::Cheapest(work) => cheapest::sketch(records, *work),
         Subject::Scaling => scaling::sketch(records),

@@ -15,7 +15,7 @@ pub(super) fn element(
     let pixels: Vec<u8> =
         colours.iter().flat_map(|RGBColor(red, green, blue)| [*red, *green, *blue]).collect();
     let rows = colours.len() / columns.max(1);
-    let bytes = encode(columns as u32, rows as u32, std::iter::once(Ok(pixels)))?;
+    let bytes = encode(columns as u32, rows as u32, &pixels)?;
     Ok(format!(
         "<image x=\"{:.1}\" y=\"{:.1}\" width=\"{:.1}\" height=\"{:.1}\" preserveAspectRatio=\"none\" \
          style=\"image-rendering:pixelated\" href=\"data:image/png;base64,{}\"/>",
