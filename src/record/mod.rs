@@ -208,12 +208,23 @@ impl Records {
     pub fn read(path: &Path) -> Result<Records, RecordError> {
         let text = read_text(path)?;
         let format = |why| RecordError::Format { path: path.into(), why };
-        let records: Records = serde_json::from_str(&text).map_err(|error| format(error.to_string()))?;
-        if records.schema != SCHEMA {
-            return Err(format(format!("schema is \"{}\", expected \"{SCHEMA}\"", records.schema)));
+        let other = |schema: &str| format(format!("schema is \"{schema}\", expected \"{SCHEMA}\""));
+        match serde_json::from_str::<Records>(&text) {
+            Ok(records) if records.schema == SCHEMA => Ok(records),
+            Ok(records) => Err(other(&records.schema)),
+            Err(error) if error.is_eof() => Err(format(format!("the file is cut off: {error}"))),
+            Err(error) => match serde_json::from_str::<Named>(&text) {
+                Ok(named) if named.schema != SCHEMA => Err(other(&named.schema)),
+                _ => Err(format(error.to_string())),
+            },
         }
-        Ok(records)
     }
+}
+
+/// Any file that names its schema.
+#[derive(Deserialize)]
+struct Named {
+    schema: String,
 }
 
 /// The text of a file of records.
