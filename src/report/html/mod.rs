@@ -84,6 +84,14 @@ fn fault(path: &Path, error: &minijinja::Error) -> ReportError {
     ReportError::Page { path: path.into(), why: error.to_string() }
 }
 
+/// Where links of a page lead: up to the folder of the report, to another page with its ending, and to the index. None of it needs
+/// an escape.
+fn links(up: &str, here: &str, ending: &str, home: &str) -> Value {
+    let [up, here, ending, home] =
+        [up, here, ending, home].map(|text| Value::from_safe_string(text.to_owned()));
+    context! { up, here, ending, home }
+}
+
 /// Everything that a page is made from.
 struct Site<'a> {
     environment: Environment<'static>,
@@ -114,18 +122,18 @@ impl<'a> Site<'a> {
     }
 
     fn index(&self, writer: impl Write) -> Result<(), minijinja::Error> {
-        let links = context! { up => "", here => "pages/", ending => ".html", home => "index.html" };
+        let links = links("", "pages/", ".html", "index.html");
         let body = context! { body => "index.html", chart => self.overview()?, ..links };
         self.render("frame.html", body, writer)
     }
 
     fn leaf(&self, leaf: &Leaf, writer: impl Write) -> Result<(), minijinja::Error> {
-        let links = context! { up => "../", here => "", ending => ".html", home => "../index.html" };
+        let links = links("../", "", ".html", "../index.html");
         self.render("frame.html", context! { ..self.of_leaf(leaf)?, ..links }, writer)
     }
 
     fn single(&self, overview: Option<&[u8]>, writer: impl Write) -> Result<(), minijinja::Error> {
-        let links = context! { up => "", here => "#", ending => "", home => "#top" };
+        let links = links("", "#", "", "#top");
         let bodies: Result<Vec<Value>, _> = self.leaves.iter().map(|leaf| self.of_leaf(leaf)).collect();
         let bodies = bodies?;
         let (style, script) = (Value::from_safe_string(STYLE.into()), Value::from_safe_string(SCRIPT.into()));
