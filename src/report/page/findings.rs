@@ -22,7 +22,7 @@ struct Subject<'a> {
 }
 
 /// A sentence each; those that the records say nothing about are left out. `main` has no schemes that stand apart.
-pub(super) fn findings(main: &Records) -> Vec<String> {
+pub(super) fn findings(records: &Records, main: &Records) -> Vec<String> {
     let Some(scheme) = survey::measured_schemes(main).into_iter().next() else { return Vec::new() };
     let quantity = |row: &Order| survey::base(ranking::quantity(main, &row.scene)) == row.quantity;
     let sought: Vec<&Order> =
@@ -31,7 +31,7 @@ pub(super) fn findings(main: &Records) -> Vec<String> {
     let orders = sought.iter().copied().filter(decided).collect();
     let subject = Subject { records: main, scheme, orders, sought: sought.len() };
     let sentences =
-        [subject.order(), subject.constant(), subject.drift(), subject.failures(), subject.cheapest()];
+        [subject.order(), subject.constant(), subject.drift(), subject.failures(records), subject.cheapest()];
     sentences.into_iter().flatten().collect()
 }
 
@@ -43,13 +43,16 @@ fn extremes<'a>(values: impl Iterator<Item = (f64, &'a str)> + Clone) -> Option<
 
 impl Subject<'_> {
     fn order(&self) -> Option<String> {
-        let values = self.orders.iter().filter_map(|row| Some((row.order?, row.scene.as_str())));
-        let [(low, at_low), (high, at_high)] = extremes(values)?;
+        let mut values: Vec<(f64, &str)> =
+            self.orders.iter().filter_map(|row| Some((row.order?, row.scene.as_str()))).collect();
+        values.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let [(low, at_low), (high, at_high)] = extremes(values.iter().copied())?;
         let claimed = survey::claimed_order(self.records, self.scheme);
         let claim = claimed.map_or(String::new(), |order| format!(", claimed {order}"));
         Some(format!(
-            "{} converges with order {low:.2} ({at_low}) to {high:.2} ({at_high}){claim}: the error at the end has an order in {} of {} scenes.",
+            "{} converges with order {:.2} in the median scene{claim}, from {low:.2} ({at_low}) to {high:.2} ({at_high}); {} of {} scenes decide an order.",
             self.scheme,
+            values[values.len() / 2].0,
             self.orders.len(),
             self.sought
         ))
@@ -106,11 +109,12 @@ impl Subject<'_> {
         ))
     }
 
-    fn failures(&self) -> Option<String> {
+    /// Where the scheme fails, and how many of all verdicts do not hold.
+    fn failures(&self, records: &Records) -> Option<String> {
         let card = self.records.schemes.iter().find(|row| row.name == self.scheme);
         let line = card.and_then(|row| row.fails_where.as_deref());
         let line = line.map(|line| format!("{} fails here: {}. ", self.scheme, line.trim_end_matches('.')));
-        let counts = survey::tally(self.records.verdicts.iter());
+        let counts = survey::tally(records.verdicts.iter());
         let all: usize = counts.iter().map(|(_, count)| count).sum();
         let worrying: Vec<(Outcome, usize)> =
             counts.into_iter().filter(|(outcome, count)| outcome.needs_attention() && *count > 0).collect();
@@ -119,12 +123,13 @@ impl Subject<'_> {
         (all > 0).then(|| format!("{}Of {all} verdicts: {rest}.", line.unwrap_or_default()))
     }
 
-    /// By wins: which scheme needs the fewest evaluations in most scenes.
+    /// By wins: which scheme needs the fewest evaluations in most scenes. Without forces the exact motion is known, and nothing beats it.
     fn cheapest(&self) -> Option<String> {
         let scenes = survey::scenes(self.records);
         let carries = |scene: &&&str| {
             let no_order = survey::scene(self.records, scene).is_some_and(|row| row.not_for_order.is_some());
-            !no_order && ranking::quantity(self.records, scene) == "orientation-end"
+            let forced = survey::scene(self.records, scene).is_some_and(|row| !row.laws.is_empty());
+            !no_order && forced && ranking::quantity(self.records, scene) == "orientation-end"
         };
         let ladders: Vec<_> = scenes
             .iter()
@@ -147,7 +152,7 @@ impl Subject<'_> {
         let clauses: Vec<String> = ERRORS.into_iter().filter_map(clause).collect();
         (!clauses.is_empty()).then(|| {
             format!(
-                "Fewest force evaluations for an orientation error, in most scenes: {}.",
+                "Under forces the fewest evaluations for an orientation error, in most scenes: {}.",
                 clauses.join(", ")
             )
         })

@@ -132,7 +132,7 @@ pub(super) fn compose(records: &Records, main: &Records, figures: &[Figure]) -> 
         complete: records.complete,
         verdict_count: records.verdicts.len(),
         tally: tally(records),
-        findings: findings::findings(main),
+        findings: findings::findings(records, main),
         attention: attention(records.verdicts.iter()),
         reasons: reasons::reasons(&records.verdicts),
         broken_runs: tables::broken_runs(records),
