@@ -16,7 +16,7 @@ DRAWN = """(async () => {
   const figures = [...document.querySelectorAll('figure.chart')].filter(one => one.querySelector('.packed'));
   for (const figure of figures) {
     figure.scrollIntoView();
-    for (let n = 0; n < 100 && !figure.polhode; n++) await new Promise(done => setTimeout(done, 20));
+    for (let n = 0; n < 500 && !figure.polhode; n++) await new Promise(done => setTimeout(done, 20));
   }
   scrollTo(0, 0);
   return figures.map(one => !!one.polhode);
