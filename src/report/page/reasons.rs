@@ -21,7 +21,7 @@ pub(super) struct Reason {
 }
 
 /// What makes verdicts one row.
-type Key<'a> = (Outcome, &'static str, String);
+type Key = (Outcome, &'static str, String);
 
 /// Names that are listed before they are counted.
 const LISTED: usize = 3;
