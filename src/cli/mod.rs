@@ -1,11 +1,12 @@
 //! The command line: one file a subcommand. Data goes to stdout, talk and progress to stderr.
 //!
-//! No file of a subcommand uses the file of another one: what several need stands in `exit`, `output`, `progress` and `select`.
+//! No file of a subcommand uses the file of another one: what several need stands in `exit`, `faults`, `output`, `progress` and `select`.
 
 mod advise;
 mod compare;
 mod engine;
 mod exit;
+mod faults;
 mod gate;
 mod inspect;
 mod judge;
@@ -16,6 +17,7 @@ mod reference;
 mod replay;
 mod report;
 mod run;
+mod scene;
 mod select;
 mod self_test;
 mod sweep;
@@ -105,6 +107,8 @@ enum Command {
     SelfTest(self_test::Options),
     /// List what there is
     List(list::Options),
+    /// Print a scene file, or write a new one
+    Scene(scene::Options),
 }
 
 /// Runs the program and returns its exit code.
@@ -126,7 +130,10 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>) -> u8 {
             exit::INTERRUPTED
         }
         Err(failure) => {
-            eprintln!("polhode: {failure}");
+            match &failure {
+                Failure::Scene(error) => eprintln!("{}", faults::shown(error)),
+                other => eprintln!("polhode: {other}"),
+            }
             failure.code()
         }
     }
@@ -158,6 +165,7 @@ fn dispatch(arguments: Arguments) -> Result<u8, Failure> {
         Command::Replay(options) => replay::replay(&options, everywhere.quiet),
         Command::SelfTest(options) => self_test::self_test(&options, everywhere.quiet),
         Command::List(options) => list::list(&options),
+        Command::Scene(options) => scene::scene(&options, everywhere.quiet),
     }?;
     Ok(if crate::interrupt::requested() { exit::INTERRUPTED } else { code })
 }

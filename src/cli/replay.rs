@@ -9,8 +9,8 @@ use super::output::print;
 use super::progress::with_tasks;
 use super::select;
 use crate::campaign::Survey;
-use crate::record::{Capsule, Difference};
-use crate::scenes::Scene;
+use crate::record::{Capsule, Difference, SceneText};
+use crate::scenes::{self, Scene, SceneError};
 
 /// Rows that are printed where many differ.
 const SHOWN: usize = 20;
@@ -34,8 +34,7 @@ Exit code: 0 every row is equal to the bit, 1 one differs, 65 the file is no cap
 
 pub(super) fn replay(options: &Options, quiet: bool) -> Result<u8, Failure> {
     let capsule = Capsule::read(&options.capsule)?;
-    let parse = |one: &crate::record::SceneText| Scene::parse(&one.toml, &one.name);
-    let scenes = capsule.scenes.iter().map(parse).collect::<Result<Vec<Scene>, _>>()?;
+    let scenes = capsule.scenes.iter().map(scene).collect::<Result<Vec<Scene>, _>>()?;
     let request = &capsule.request;
     let contestants =
         request.schemes.iter().map(|name| select::contestant(name)).collect::<Result<_, _>>()?;
@@ -62,6 +61,12 @@ pub(super) fn replay(options: &Options, quiet: bool) -> Result<u8, Failure> {
     };
     print(&format!("{lines}{more}{} of {} rows differ\n", differences.len(), capsule.rows()))?;
     Ok(1)
+}
+
+/// The scene as it was: a built-in one has stored solutions, too.
+fn scene(one: &SceneText) -> Result<Scene, SceneError> {
+    let built_in = scenes::FILES.iter().any(|(name, text)| *name == one.name && *text == one.toml);
+    if built_in { Scene::find(&one.name) } else { Scene::parse(&one.toml, &one.name) }
 }
 
 fn line(one: &Difference) -> String {

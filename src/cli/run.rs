@@ -122,13 +122,15 @@ fn run_in<T: Written>(options: &Options, quiet: bool) -> Result<u8, Failure> {
         _ => Failure::Write { name, source },
     };
     let heading = heading::<T>(options.format, &scene.name, contestant.card.name, model, &plan);
-    let mut writer =
-        StateWriter { sink, system: &system, plan, count: 0, failed: None, format: options.format, heading };
+    let mut writer = StateWriter::new(sink, &system, plan, options.format, heading);
     let outcome = contestant.stream_in(&system, form, &plan, &mut |snapshot| writer.push(snapshot));
     if let Some(reason) = outcome.refusal() {
         return Err(cannot(reason));
     }
     writer.close(&outcome).map_err(fail)?;
+    if let Some(warning) = coarse(&plan, writer.fastest).filter(|_| !quiet) {
+        eprintln!("polhode: warning: {warning}");
+    }
     if let Some(file) = file {
         file.finish()?;
     }
@@ -159,6 +161,24 @@ fn draw<T: Arithmetic>(
     let (scene, scheme) = (scene.name.clone(), contestant.card.name.to_owned());
     let png = report::motion_picture(&Motion { scene, scheme, step_s: plan.step, ..motion });
     Ok(record::write_whole(path, &png.map_err(|error| Failure::Usage(error.to_string()))?)?)
+/// Angle of a step above which `run` warns [rad]: an order is seen below it, where a step is a small part of a turn.
+const COARSE: f64 = 1.0;
+
+/// What is to be said of steps in which the body turns far, by the fastest spin of the states written.
+fn coarse(plan: &Plan, fastest: f64) -> Option<String> {
+    let angle = fastest * plan.step;
+    (angle > COARSE).then(|| {
+        format!(
+            "a step of {} s turns the body by up to {angle:.3} rad; --step {} keeps it below {COARSE} rad",
+            plan.step,
+            format_step(COARSE / fastest)
+        )
+    })
+}
+
+/// A step in four digits.
+fn format_step(step: f64) -> String {
+    if (1e-3..1e4).contains(&step) { format!("{step:.4}") } else { format!("{step:.3e}") }
 }
 
 /// Whether a file begins like one of this command.
@@ -247,6 +267,8 @@ struct StateWriter<'a, T: Written> {
     system: &'a System<T>,
     plan: Plan,
     count: u64,
+    /// Largest |Ω| of the states [rad/s].
+    fastest: f64,
     failed: Option<io::Error>,
     format: Format,
     /// What stands before the first state, until it is written.
@@ -270,7 +292,17 @@ fn heading<T: Written>(format: Format, scene: &str, scheme: &str, model: &str, p
     }
 }
 
-impl<T: Written> StateWriter<'_, T> {
+impl<'a, T: Written> StateWriter<'a, T> {
+    fn new(
+        sink: &'a mut dyn Write,
+        system: &'a System<T>,
+        plan: Plan,
+        format: Format,
+        heading: String,
+    ) -> StateWriter<'a, T> {
+        StateWriter { sink, system, plan, count: 0, fastest: 0.0, failed: None, format, heading }
+    }
+
     fn open(&mut self) -> io::Result<()> {
         write!(self.sink, "{}", std::mem::take(&mut self.heading))
     }
@@ -284,6 +316,7 @@ impl<T: Written> StateWriter<'_, T> {
             crate::interrupt::request();
         }
         self.count += 1;
+        self.fastest = self.fastest.max(snapshot.angular_velocity.norm().to_f64());
     }
 
     fn write(&mut self, s: &Snapshot<T>) -> io::Result<()> {

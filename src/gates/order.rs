@@ -197,10 +197,11 @@ fn judge_generic(evidence: &Evidence, least: Option<u32>) -> Option<Verdict> {
 }
 
 /// Runs of an odd number of steps at the end: at their rounding where the others are, and otherwise between the coarser and the finer run.
-/// `None` where that holds.
+/// Where the motion has kinks, between any two successive runs. `None` where that holds.
 fn judge_odd(evidence: &Evidence, quantity: Quantity, decision: &Decision) -> Option<Verdict> {
     let ladder = &evidence.ladder;
     let asked = Asked::of(ladder, quantity);
+    let smooth = evidence.setting.not_for_order.is_none();
     let whole = match decision {
         Decision::Exact => true,
         Decision::Order(found) => found.until >= asked.times[asked.times.len() - 1],
@@ -211,11 +212,15 @@ fn judge_odd(evidence: &Evidence, quantity: Quantity, decision: &Decision) -> Op
             return Some(length(&odd.errors));
         }
         let finer = asked.runs.iter().position(|run| run.step < odd.step).filter(|index| *index > 0)?;
-        let (coarse, fine) = (&asked.runs[finer - 1].errors, &asked.runs[finer].errors);
         let apart = |a: &[f64], b: &[f64]| length(&a.iter().zip(b).map(|(a, b)| a - b).collect::<Vec<_>>());
-        let from_coarse = apart(&odd.errors, coarse.get(coarse.len().checked_sub(odd.errors.len())?..)?);
         // Over the run: at the end alone two errors may be alike by chance.
-        (from_coarse > BETWEEN * apart(coarse, fine)).then_some(from_coarse)
+        let jump = |finer: usize| apart(&asked.runs[finer - 1].errors, &asked.runs[finer].errors);
+        let coarse = &asked.runs[finer - 1].errors;
+        let from_coarse = apart(&odd.errors, coarse.get(coarse.len().checked_sub(odd.errors.len())?..)?);
+        // The step of which a run meets a kink decides its error: any jump between two runs may come again.
+        let jumps = if smooth { finer..finer + 1 } else { 1..asked.runs.len() };
+        let explained = jumps.map(jump).fold(0.0, f64::max);
+        (from_coarse > BETWEEN * explained).then_some(from_coarse)
     };
     let wrong = |rung: &&Rung| {
         let odd = Run::of(rung, quantity, &ladder.arms);

@@ -189,17 +189,31 @@ impl Columns for EnergyRung {
 #[derive(Serialize, Deserialize)]
 pub(super) struct OtherWorlds {
     name: Vec<String>,
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    to_the_bit: Vec<bool>,
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    double_double: Vec<bool>,
+    /// A letter a row: `b` where the arithmetic allows no difference, `d` in double-double, `e` where both hold.
+    kind: String,
+    /// One number where it is that of all rows.
     steps: Vec<u64>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     solves: Vec<u64>,
-    /// Of the worst difference.
-    quantity: Vec<Option<Quantity>>,
+    /// A digit a row: place in [`Quantity::ALL`] of the worst difference.
+    quantity: String,
     /// Difference over rounding, and the worst difference; none is NaN.
     numbers: String,
+}
+
+/// Letters of [`OtherWorlds::kind`]: those of the second half are in double-double.
+const KINDS: [char; 4] = ['-', 'b', 'd', 'e'];
+
+impl OtherWorld {
+    fn kind(&self) -> char {
+        KINDS[usize::from(self.to_the_bit) + 2 * usize::from(self.double_double)]
+    }
+
+    fn quantity(&self) -> char {
+        let place = |(quantity, _)| Quantity::ALL.iter().position(|one| *one == quantity);
+        let digit = self.worst.and_then(place).and_then(|place| char::from_digit(place as u32, 10));
+        digit.unwrap_or('-')
+    }
 }
 
 impl Columns for OtherWorld {
@@ -208,13 +222,16 @@ impl Columns for OtherWorld {
     fn write(rows: &[OtherWorld]) -> OtherWorlds {
         let of_rounding: Vec<f64> = rows.iter().map(|row| row.of_rounding.unwrap_or(f64::NAN)).collect();
         let worst: Vec<f64> = rows.iter().map(|row| row.worst.map_or(f64::NAN, |(_, size)| size)).collect();
+        let mut steps: Vec<u64> = rows.iter().map(|row| row.steps).collect();
+        if steps.iter().all(|count| *count == steps[0]) {
+            steps.truncate(1);
+        }
         OtherWorlds {
             name: rows.iter().map(|row| row.name.clone()).collect(),
-            to_the_bit: some(rows.iter().map(|row| row.to_the_bit).collect()),
-            double_double: some(rows.iter().map(|row| row.double_double).collect()),
-            steps: rows.iter().map(|row| row.steps).collect(),
+            kind: rows.iter().map(OtherWorld::kind).collect(),
+            steps,
             solves: some(rows.iter().map(|row| row.solves).collect()),
-            quantity: rows.iter().map(|row| row.worst.map(|(quantity, _)| quantity)).collect(),
+            quantity: rows.iter().map(OtherWorld::quantity).collect(),
             numbers: text_of(&[&of_rounding, &worst]),
         }
     }
@@ -222,20 +239,24 @@ impl Columns for OtherWorld {
     fn read(written: OtherWorlds) -> Option<Vec<OtherWorld>> {
         let [of_rounding, worst]: [Vec<f64>; 2] = lists_of(&written.numbers)?.try_into().ok()?;
         let count = written.name.len();
-        let whole = [written.steps.len(), written.quantity.len(), of_rounding.len(), worst.len()]
-            .iter()
-            .all(|n| *n == count)
-            && fits(&written.to_the_bit, count)
-            && fits(&written.double_double, count)
-            && fits(&written.solves, count);
+        let steps = match written.steps.as_slice() {
+            [all] => vec![*all; count],
+            each => each.to_vec(),
+        };
+        let kind = |letter| KINDS.iter().position(|one| *one == letter);
+        let kinds: Vec<usize> = written.kind.chars().map(kind).collect::<Option<_>>()?;
+        let quantity = |letter: char| Some(*Quantity::ALL.get(letter.to_digit(10)? as usize)?);
+        let quantities: Vec<Option<Quantity>> = written.quantity.chars().map(quantity).collect();
+        let lengths = [steps.len(), kinds.len(), quantities.len(), of_rounding.len(), worst.len()];
+        let whole = lengths.iter().all(|n| *n == count) && fits(&written.solves, count);
         let row = |index: usize| OtherWorld {
             name: written.name[index].clone(),
-            to_the_bit: at(&written.to_the_bit, index),
+            to_the_bit: kinds[index] % 2 == 1,
             of_rounding: Some(of_rounding[index]).filter(|number| !number.is_nan()),
-            worst: written.quantity[index].map(|quantity| (quantity, worst[index])),
-            steps: written.steps[index],
+            worst: quantities[index].map(|quantity| (quantity, worst[index])),
+            steps: steps[index],
             solves: at(&written.solves, index),
-            double_double: at(&written.double_double, index),
+            double_double: kinds[index] >= 2,
         };
         whole.then(|| (0..count).map(row).collect())
     }
@@ -286,7 +307,7 @@ mod tests {
         let rows = serde_json::json!({ "rungs": file.rungs, "drift": file.drift, "worlds": file.worlds });
         assert_eq!(serde_json::from_value::<File>(rows).expect("rows"), file);
         let mut columns = serde_json::to_value(&file).expect("JSON");
-        columns["worlds"]["steps"] = serde_json::json!([16]);
+        columns["worlds"]["kind"] = serde_json::json!("d");
         assert!(serde_json::from_value::<File>(columns).is_err());
     }
 }

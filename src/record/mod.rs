@@ -14,6 +14,7 @@ mod engines;
 mod evidence;
 mod findings;
 mod motion;
+mod nearby;
 mod numbers;
 mod packed;
 #[cfg(feature = "cli")]

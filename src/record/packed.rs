@@ -5,12 +5,13 @@
 //! ```
 //!
 //! The place is written in base 64, the highest digit first. The first character of the text is d: `5` has four characters a number and
-//! e₀ = 70, `3` has three and e₀ = 70, `2` has two, e₀ = 34 and no sign, and `*` has the 64 bits of the double in eleven. A dot is a zero, whose sign is lost but where bits are written. Lists are
+//! e₀ = 70, `3` has three and e₀ = 70, `2` has two, e₀ = 34 and no sign, and `*` has the 64 bits of the double in eleven; `n` is the code of `nearby`. A dot is a zero, whose sign is lost but where bits are written. Lists are
 //! separated by commas. A reader gets each number back to the last bit.
 
 use serde::de::{Error, SeqAccess, Visitor, value::SeqAccessDeserializer};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
+use super::nearby;
 use crate::quantity::{PerQuantity, Quantity};
 
 const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
@@ -30,11 +31,16 @@ struct Code {
     signs: u64,
 }
 
+/// Five digits.
+const FIVE: Code = Code { name: b'5', width: 4, least: 10_000, exponent: -70, signs: 2 };
+/// Name of the code of [`nearby`].
+const NEARBY: u8 = b'n';
+
 /// The codes, the shortest first.
 const CODES: [Code; 4] = [
     Code { name: b'2', width: 2, least: 10, exponent: -34, signs: 1 },
     Code { name: b'3', width: 3, least: 100, exponent: -70, signs: 2 },
-    Code { name: b'5', width: 4, least: 10_000, exponent: -70, signs: 2 },
+    FIVE,
     Code { name: b'*', width: 11, least: 0, exponent: 0, signs: 1 },
 ];
 
@@ -87,33 +93,62 @@ pub(super) fn text_of(lists: &[&[f64]]) -> String {
                     text.push(b'.');
                     continue;
                 }
-                let place = code.place(*value)?;
-                text.extend((0..code.width).rev().map(|digit| DIGITS[(place >> (6 * digit)) as usize % 64]));
+                letters(&mut text, code.place(*value)?, code.width);
             }
         }
         String::from_utf8(text).ok()
     };
-    CODES.iter().find_map(written).unwrap_or_default()
+    let text = CODES.iter().find_map(written).unwrap_or_default();
+    // The exponents of errors are near one another.
+    let five = text.as_bytes().first() == Some(&FIVE.name);
+    nearby_text(lists).filter(|near| five && near.len() < text.len()).unwrap_or(text)
+}
+
+/// A place in base 64, the highest digit first.
+fn letters(text: &mut Vec<u8>, place: u64, width: u32) {
+    text.extend((0..width).rev().map(|digit| DIGITS[(place >> (6 * digit)) as usize % 64]));
+}
+
+/// A number in base 64.
+fn number_of(letters: &[u8]) -> Option<u64> {
+    letters.iter().try_fold(0, |place, digit| Some(place << 6 | value_of(*digit)?))
+}
+
+/// The lists in the code of near exponents; `None` where it does not hold them.
+fn nearby_text(lists: &[&[f64]]) -> Option<String> {
+    let mut text = vec![NEARBY];
+    for (index, list) in lists.iter().enumerate() {
+        text.extend((index > 0).then_some(b','));
+        let place = |value: &f64| if *value == 0.0 { Some(None) } else { FIVE.place(*value).map(Some) };
+        let places: Vec<Option<u64>> = list.iter().map(place).collect::<Option<_>>()?;
+        nearby::write(&mut text, &places, |text, place| letters(text, place, FIVE.width))?;
+    }
+    String::from_utf8(text).ok()
 }
 
 /// The lists of such a text; `None` where it is none.
 pub(super) fn lists_of(text: &str) -> Option<Vec<Vec<f64>>> {
     let (name, mut rest) = text.as_bytes().split_first()?;
+    if *name == NEARBY {
+        let number = |place: Option<u64>| place.map_or(0.0, |place| FIVE.number(place));
+        let list = |part: &[u8]| Some(nearby::read(part, number_of)?.into_iter().map(number).collect());
+        return rest.split(|letter| *letter == b',').map(list).collect();
+    }
     let code = CODES.iter().find(|code| code.name == *name)?;
     let mut lists = vec![Vec::new()];
     while let Some((first, after)) = rest.split_first() {
         let list = lists.last_mut()?;
-        rest = after;
         match first {
             b',' => lists.push(Vec::new()),
             b'.' => list.push(0.0),
-            first => {
-                let (others, after) = rest.split_at_checked(code.width as usize - 1)?;
-                let add = |place: u64, digit: &u8| Some(place << 6 | value_of(*digit)?);
-                list.push(code.number(others.iter().try_fold(value_of(*first)?, add)?));
+            _ => {
+                let (number, after) = rest.split_at_checked(code.width as usize)?;
+                list.push(code.number(number_of(number)?));
                 rest = after;
+                continue;
             }
         }
+        rest = after;
     }
     Some(lists)
 }
@@ -241,9 +276,10 @@ mod tests {
         let two = [1e-33, 9.9e-5, 0.5, 30.0, 9.9e10, 0.0];
         let three = [-1e-66, 9.99e-9, -0.25, 123.0, -9.99e25, 0.0, 3e-24];
         let five = [-1e-66, 9.9999e-9, -0.25, 123.45, -9.9999e25, 0.0, 3e-24];
+        let near = [-1.2345e-9, 9.9999e-8, 0.0, 1.0001e-6, -5e-9, 1.5e-9];
         let all = [std::f64::consts::PI, -0.1 - 0.2, 1e-300, f64::MAX, f64::NAN, f64::NEG_INFINITY, 0.0];
         for (numbers, sign, length) in
-            [(&two[..], '2', 12), (&three, '3', 20), (&five, '5', 26), (&all, '*', 68)]
+            [(&two[..], '2', 12), (&three, '3', 20), (&five, '5', 26), (&near, 'n', 18), (&all, '*', 68)]
         {
             let text = text_of(&[numbers]);
             assert!(text.starts_with(sign) && text.len() == length, "{text}");

@@ -19,7 +19,7 @@ const VERDICTS: &str = "verdicts.json";
 /// Schema of the file of verdicts.
 const SCHEMA: &str = "polhode/verdicts/1";
 
-/// Every verdict, without the evidence behind it; one that holds, without words.
+/// Every verdict on a main scheme, without the evidence behind it; one that holds, without words.
 #[derive(Serialize)]
 struct Verdicts<'a> {
     schema: &'static str,
@@ -78,8 +78,8 @@ pub fn write_brief(
     let main = records.without_apart();
     let figures = write_pictures(records, &main, &subjects, out, progress)?;
     let drawn: Vec<&Subject> = figures.iter().map(|figure| &figure.subject).collect();
-    write_json(&out.join(VERDICTS), &verdicts(records))?;
-    write_brief_csv(out, records)?;
+    write_json(&out.join(VERDICTS), &verdicts(&main))?;
+    write_brief_csv(out, &main)?;
     write_page(&out.join("report.md"), |file| render(&Brief::new(records, &drawn), file))?;
     Ok(folder.finish(&names(&pages, drawn.into_iter()))?)
 }

@@ -13,4 +13,5 @@ mod judge;
 mod lists;
 mod reference;
 mod runs;
+mod scene;
 mod stability;

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 /// Colours of a picture, of the 256 that a byte can name: a dozen and three mixtures of each with white along edges, and greys of letters. Fewer
 /// compress better.
-const MOST: usize = 96;
+const MOST: usize = 64;
 /// Pixels whose colour is not among them, at the most; where more are not, the picture is a map of many colours.
 const REST: f64 = 0.1;
 

@@ -18,14 +18,17 @@ const MARGIN: f64 = 30.0;
 /// The picture; `None` where no scheme has errors at two steps.
 pub(super) fn sketch(records: &Records, palette: &Palette, scene: &str) -> Option<Sketch> {
     let quantities = curves::at_the_end(records, scene);
-    let (exact, drawn): (Vec<_>, Vec<_>) =
+    let (exact, mut drawn): (Vec<_>, Vec<_>) =
         quantities.into_iter().filter(Quantity::has_a_line).partition(Quantity::is_exact);
     if drawn.is_empty() {
         return None;
     }
     let cells = drawn.len() + usize::from(!exact.is_empty());
     let grid = grid(cells);
-    let (key, entries) = (key(palette, &drawn), entries(&drawn));
+    let key = key(palette, &drawn);
+    // Rounding says nothing about an order: the table names what is exact.
+    drawn.iter_mut().for_each(|quantity| quantity.curves.retain(|curve| !curve.is_exact()));
+    let entries = entries(&drawn);
     let room = WIDTH - 2.0 * MARGIN - 20.0;
     let strip = key.height(room) + legend::height(&entries, room);
     let bottom = TOP + grid.1 as f64 * row_height(grid);

@@ -67,7 +67,12 @@ pub(super) struct Quantity<'a> {
 impl Quantity<'_> {
     /// True where every scheme is exact.
     pub(super) fn is_exact(&self) -> bool {
-        self.curves.iter().all(|curve| curve.is_exact() && curve.broken.is_empty())
+        self.curves.iter().all(|curve| curve.is_exact() || curve.rungs.is_empty())
+    }
+
+    /// True where a curve has two points: a dot says nothing about an order.
+    pub(super) fn has_a_line(&self) -> bool {
+        self.curves.iter().any(|curve| curve.rungs.len() > 1)
     }
 
     /// True where a curve has two points: a dot says nothing about an order.

@@ -15,6 +15,7 @@ use super::panel::{self, Frame, Panel};
 use super::sketch::{Anchor, Place, Sketch, Type};
 
 const METRIC: &str = "rotational-energy-drift-rate";
+const LEVEL: &str = "rotational-energy-drift-level";
 const QUANTITY: &str = "rotational-energy";
 const MARGIN: f64 = 30.0;
 const TOP: f64 = 160.0;
@@ -84,8 +85,17 @@ fn drifting(records: &Records) -> Vec<Drifting<'_>> {
     survey::scenes(records).into_iter().filter_map(one).collect()
 }
 
-/// Whether what is left of a drift is rounding.
+/// Roundings of the energy that are still rounding.
+const FEW: f64 = 10.0;
+
+/// Whether what is left of a drift is rounding: in its class, or in the level that the energy moves by at every step.
 fn is_exact(records: &Records, scene: &str, scheme: &str) -> bool {
+    let level = |row: &&Measurement| row.scene == scene && row.scheme == scheme && row.metric == LEVEL;
+    let levels = || records.measurements.iter().map(Arc::as_ref).filter(level);
+    let small = |row: &Measurement| row.value.map(f64::abs) <= row.uncertainty.map(|rounding| FEW * rounding);
+    if levels().next().is_some() && levels().all(small) {
+        return true;
+    }
     let exact = |row: &Drift| row.quantity == QUANTITY && row.class == DriftClass::Exact;
     records.drifts.iter().any(|row| row.scene == scene && row.scheme == scheme && exact(row))
 }

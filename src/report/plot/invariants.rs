@@ -60,18 +60,17 @@ pub(super) fn sketch(records: &Records, palette: &Palette, scene: &str) -> Optio
     }
     let below = all.bottom + 100.0;
     if !still.is_empty() {
-        let frame = Frame {
-            left: all.left + 140.0,
-            top: below,
-            right: all.right - 30.0,
-            bottom: below + note - 20.0,
-        };
-        let names: Vec<String> = still.iter().map(|name| survey::quantity_words(name)).collect();
-        panel::words(&mut sketch, frame, "Changed by rounding alone in every scheme", &[names.join(" · ")]);
+        note_still(&mut sketch, &still, Frame { top: below, bottom: below + note - 20.0, ..all });
     }
     key.draw(&mut sketch, MARGIN + 20.0, below + note, room);
     legend::draw(&mut sketch, &entries, MARGIN + 20.0, below + note + key.height(room) + MARGIN / 2.0, room);
     Some(sketch)
+}
+
+fn note_still(sketch: &mut Sketch, still: &[&str], cell: Frame) {
+    let names: Vec<String> = still.iter().map(|name| survey::quantity_words(name)).collect();
+    let frame = cell.inside(140.0, 0.0, 30.0, 0.0);
+    panel::words(sketch, frame, "Changed by rounding alone in every scheme", &[names.join(" · ")]);
 }
 
 /// A row a scheme, with the largest value of each quantity.

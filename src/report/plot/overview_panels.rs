@@ -40,12 +40,7 @@ pub(super) fn draw_errors(
     let shown: Shown = if few { shown } else { (&one, shown.1) };
     let spins: Option<Vec<f64>> = shown.0.iter().map(|scene| largest_spin(records, scene)).collect();
     let curves = ladders(records, palette, shown, spins.as_deref());
-    let rungs = || curves.iter().flat_map(|curve| &curve.rungs);
-    let (left, right) = bounds(&rungs().map(|rung| rung.step).collect::<Vec<_>>());
-    let errors: Vec<f64> = rungs().map(|rung| rung.error).filter(|error| error.is_finite()).collect();
-    let (low, high) = bounds(&errors);
-    let (x, y) = (Axis::logarithmic(left - 0.1, right + 0.1, 6), Axis::logarithmic(low - 0.5, high + 0.5, 8));
-    let panel = Panel { frame, x, y };
+    let panel = axes(&curves, frame);
     panel.draw_grid(sketch);
     let places = |curve: &Curve| {
         let whole = curve.rungs.iter().filter(|rung| rung.error.is_finite());
@@ -63,14 +58,23 @@ pub(super) fn draw_errors(
     panel.draw_frame(sketch);
     panel.label_x(sketch, if spins.is_some() { "step h × largest Ω [rad]" } else { "step h [s]" });
     panel.label_y(sketch);
-    let unit = records
-        .orders
-        .iter()
-        .find(|row| row.quantity == survey::base(shown.1))
-        .map_or("rad", |row| row.unit.as_str());
-    let words = survey::quantity_words(shown.1);
-    let which = if few { "a line a scene" } else { typical };
-    panel.title(sketch, &format!("Error in {words} at the end [{unit}], {which}"));
+    panel.title(sketch, &title(records, shown.1, if few { "a line a scene" } else { typical }));
+}
+
+fn title(records: &Records, quantity: &str, which: &str) -> String {
+    let own = records.orders.iter().find(|row| row.quantity == survey::base(quantity));
+    let unit = own.map_or("rad", |row| row.unit.as_str());
+    format!("Error in {} at the end [{unit}], {which}", survey::quantity_words(quantity))
+}
+
+/// The axes that hold all errors.
+fn axes(curves: &[Curve], frame: Frame) -> Panel {
+    let rungs = || curves.iter().flat_map(|curve| &curve.rungs);
+    let (left, right) = bounds(&rungs().map(|rung| rung.step).collect::<Vec<_>>());
+    let errors: Vec<f64> = rungs().map(|rung| rung.error).filter(|error| error.is_finite()).collect();
+    let (low, high) = bounds(&errors);
+    let (x, y) = (Axis::logarithmic(left - 0.1, right + 0.1, 6), Axis::logarithmic(low - 0.5, high + 0.5, 8));
+    Panel { frame, x, y }
 }
 
 /// The largest |Ω| of the reference [rad/s]; `None` without evidence, and where nothing turns.

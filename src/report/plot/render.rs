@@ -21,8 +21,8 @@ fn fault(error: impl std::fmt::Display) -> Fault {
 /// The PNG is drawn so many times larger and then averaged: the backend does not smooth thick lines itself.
 const OVERSAMPLING: usize = 2;
 
-/// Pixels of the PNG a picture unit: 2600 units are 1690 pixels, 250 an inch over the width of a page of paper.
-const SCALE: f64 = 0.65;
+/// Pixels of the PNG a picture unit: 2600 units are 1456 pixels, 215 an inch over the width of a page of paper; small letters are 15 high.
+const SCALE: f64 = 0.56;
 
 /// Backend pixels a picture unit.
 const ZOOM: f64 = OVERSAMPLING as f64 * SCALE;

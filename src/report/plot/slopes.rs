@@ -6,8 +6,9 @@ use super::palette::{GUIDE, INK};
 use super::panel::{Frame, Panel};
 use super::sketch::{Anchor, Place, Sketch, Type};
 
-/// Width and height of the corner, as parts of the frame, and its distance from the frame.
-const PART: (f64, f64) = (0.36, 0.5);
+/// Width and height of the corner, as parts of the frame, the largest that is free, …
+const PARTS: [(f64, f64); 3] = [(0.36, 0.5), (0.36, 0.3), (0.3, 0.18)];
+/// … and its distance from the frame.
 const MARGIN: f64 = 26.0;
 const NAME: Type = Type::plain(26.0, INK);
 /// Room for a name at the end of a line; names nearer to one another are left out.
@@ -16,11 +17,13 @@ const ROOM: f64 = 30.0;
 /// Draws lines of these slopes in the first corner without curves: where steps are long and errors small, or the opposite one.
 pub(super) fn draw(sketch: &mut Sketch, panel: &Panel, curves: &[Vec<Place>], orders: &[u32]) {
     let Frame { left, top, right, bottom } = panel.frame;
-    let (width, height) = (PART.0 * (right - left), PART.1 * (bottom - top));
-    let lower = Frame { left: right - width, top: bottom - height, right, bottom };
-    let upper = Frame { left, top, right: left + width, bottom: top + height };
+    let corners = PARTS.iter().flat_map(|(across, along)| {
+        let (width, height) = (across * (right - left), along * (bottom - top));
+        let lower = Frame { left: right - width, top: bottom - height, right, bottom };
+        [lower, Frame { left, top, right: left + width, bottom: top + height }]
+    });
     let free = |corner: &Frame| curves.iter().all(|curve| !enters(curve, corner));
-    if let Some(corner) = [lower, upper].into_iter().find(free) {
+    if let Some(corner) = corners.into_iter().find(free) {
         fan(sketch, panel, corner.inside(MARGIN, MARGIN + ROOM, MARGIN + 1.5 * ROOM, MARGIN), orders);
     }
 }
