@@ -161,6 +161,8 @@ fn draw<T: Arithmetic>(
     let (scene, scheme) = (scene.name.clone(), contestant.card.name.to_owned());
     let png = report::motion_picture(&Motion { scene, scheme, step_s: plan.step, ..motion });
     Ok(record::write_whole(path, &png.map_err(|error| Failure::Usage(error.to_string()))?)?)
+}
+
 /// Angle of a step above which `run` warns [rad]: an order is seen below it, where a step is a small part of a turn.
 const COARSE: f64 = 1.0;
 
