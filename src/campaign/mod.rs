@@ -7,6 +7,7 @@ pub(crate) mod cell;
 mod against_time;
 mod costs;
 mod journal;
+mod motions;
 #[cfg(feature = "cli")]
 mod peers;
 mod reduction;
@@ -30,6 +31,7 @@ use crate::simulate::Contestant;
 pub(crate) use cell::unmeasured;
 pub(crate) use costs::{SECONDS_A_COST, add_costs, typical_step};
 pub use journal::Journal;
+pub(crate) use motions::motion;
 #[cfg(feature = "cli")]
 pub(crate) use peers::add_peers;
 pub use scaling::Sizes;

@@ -1,5 +1,6 @@
 //! All that a report shows: a campaign, and what is measured beside it.
 
+use super::motions::add_motions;
 use super::reduction::add_reductions;
 use super::scaling::{Sizes, add_scaling};
 use super::{Campaign, SECONDS_A_COST, add_costs};
@@ -91,6 +92,7 @@ impl Survey<'_> {
         if self.every_scheme {
             self.add_every_scheme(&mut records);
         }
+        add_motions(&mut records, &self.scenes, &self.contestants);
         self.add_peers(&mut records);
         self.add_published(&mut records);
         self.add_precision(&mut records);

@@ -34,11 +34,14 @@ pub(super) struct Options {
     /// Write every picture as SVG, too
     #[arg(long, conflicts_with = "brief")]
     svg: bool,
+    /// One page with everything in it, in the place of a folder of pages
+    #[arg(long, conflicts_with_all = ["brief", "svg"])]
+    single_file: bool,
     /// Draw this records file; nothing is run
     #[arg(long, value_name = "RECORDS", conflicts_with_all = ["schemes", "places", "named", "full"])]
     from: Option<PathBuf>,
     /// Print the tables of a paper in this language; no folder is written
-    #[arg(long, value_name = "LANGUAGE", value_parser = ["markdown", "latex"], conflicts_with_all = ["out", "brief"])]
+    #[arg(long, value_name = "LANGUAGE", value_parser = ["markdown", "latex"], conflicts_with_all = ["out", "brief", "single_file"])]
     format: Option<String>,
     /// Write scenes, records, version and hashes into this file, for `polhode replay`
     #[arg(long, value_name = "FILE", conflicts_with = "from")]
@@ -51,6 +54,7 @@ Examples:
   polhode report kovalevskaya                      into reports/kovalevskaya
   polhode report --scene my-body.toml --scheme peskin-rk2
   polhode report --from reports/latest/records.json --out again
+  polhode report --single-file --out reports/one   one page to send
   polhode report --from reports/latest/records.json --format latex   tables of a paper, to stdout
   polhode report kovalevskaya --capsule kovalevskaya.capsule.json    polhode replay runs it again";
 
@@ -114,10 +118,12 @@ fn measured(options: &Options, quiet: bool) -> Result<Records, Failure> {
 
 fn draw(options: &Options, records: &Records, out: &Path, quiet: bool) -> Result<(), Failure> {
     let pictures = if options.svg { Pictures::PngAndSvg } else { Pictures::Png };
-    with_bar(quiet, "drawing", |progress| match (interrupt::requested(), options.brief) {
-        (true, _) => report::write_rows(records, out),
-        (false, true) => report::write_brief(records, out, progress),
-        (false, false) => report::write_with(records, out, pictures, progress),
+    let single = options.single_file;
+    with_bar(quiet, "drawing", |progress| match (interrupt::requested(), options.brief, single) {
+        (true, ..) => report::write_rows(records, out),
+        (_, true, _) => report::write_brief(records, out, progress),
+        (.., true) => report::write_single_file(records, out, progress),
+        _ => report::write_with(records, out, pictures, progress),
     })?;
     print(&painted(&report::verdict_table(records, false)))?;
     if !quiet {

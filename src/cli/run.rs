@@ -1,7 +1,7 @@
 //! `polhode run`: one scheme, one scene, its states.
 
 use std::io::{self, BufWriter, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueEnum};
@@ -12,8 +12,9 @@ use super::{Failure, select};
 use crate::arithmetic::{DoubleDouble, Real, Single};
 use crate::campaign;
 use crate::model::{Snapshot, System, SystemError};
-use crate::record::{RunStatus, WholeFile, is_own_json};
+use crate::record::{self, Motion, RunStatus, WholeFile, is_own_json};
 use crate::reference::precise::{self, decimal};
+use crate::report;
 use crate::scenes::Scene;
 use crate::simulate::{Arithmetic, Contestant, Form, Outcome, Plan, Precision};
 
@@ -50,6 +51,9 @@ pub(super) struct Options {
     /// File to write instead of stdout
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
+    /// Draw the motion as a PNG: polhode, path of an axis, Ω and energy against time
+    #[arg(long, value_name = "FILE.png")]
+    plot: Option<PathBuf>,
     #[command(flatten)]
     force: Force,
 }
@@ -58,6 +62,7 @@ const EXAMPLES: &str = "\
 Examples:
   polhode run dzhanibekov --format csv
   polhode run dzhanibekov --scheme peskin-rk2 --step 0.01 --every 10
+  polhode run dzhanibekov --every 10 --plot dzhanibekov.png --out states.json
   polhode run my-body.toml --scheme euler --steps 1000 --format csv --out run.csv
   polhode run kovalevskaya --scheme peskin-rk2 --steps 600 --model points
   polhode run kovalevskaya --scheme rkmk4 --steps 600 --every 600 --precision double-double";
@@ -84,6 +89,7 @@ pub(super) fn run(options: &Options, quiet: bool) -> Result<u8, Failure> {
 
 fn run_in<T: Written>(options: &Options, quiet: bool) -> Result<u8, Failure> {
     options.force.try_place(options.out.as_ref(), is_own)?;
+    options.force.try_picture(options.plot.as_deref())?;
     let contestant = select::contestant(&options.scheme)?;
     let scene = Scene::find(options.scene.name())?;
     let plan = plan(options, &scene)?;
@@ -128,10 +134,33 @@ fn run_in<T: Written>(options: &Options, quiet: bool) -> Result<u8, Failure> {
     if let Some(file) = file {
         file.finish()?;
     }
+    if let Some(path) = &options.plot {
+        draw(path, &scene, (&contestant, form), &system, &plan)?;
+    }
     if let Some(broken) = &outcome.broken {
         eprintln!("polhode: {} in {}: {broken}", contestant.card.name, scene.name);
     }
     Ok(u8::from(outcome.broken.is_some()))
+}
+
+/// States that a picture is drawn from, about: a pixel of a path needs no more.
+const DRAWN: u64 = 4096;
+
+/// Writes the picture of a run, which is run once more: what is written may be fewer states than a path needs.
+fn draw<T: Arithmetic>(
+    path: &Path,
+    scene: &Scene,
+    (contestant, form): (&Contestant, Form),
+    system: &System<T>,
+    plan: &Plan,
+) -> Result<(), Failure> {
+    let plan = Plan { every: (plan.steps / DRAWN).max(1), ..*plan };
+    let states: Vec<Snapshot> =
+        contestant.run_in(system, form, &plan).0.iter().map(Snapshot::nearest).collect();
+    let motion = campaign::motion(&scene.system, &states);
+    let (scene, scheme) = (scene.name.clone(), contestant.card.name.to_owned());
+    let png = report::motion_picture(&Motion { scene, scheme, step_s: plan.step, ..motion });
+    Ok(record::write_whole(path, &png.map_err(|error| Failure::Usage(error.to_string()))?)?)
 }
 
 /// Angle of a step above which `run` warns [rad]: an order is seen below it, where a step is a small part of a turn.

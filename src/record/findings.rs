@@ -195,7 +195,7 @@ pub struct Series {
 pub(crate) const TIME_DIGITS: usize = 7;
 
 /// Times at equal intervals from 0, rounded to [`TIME_DIGITS`].
-mod even {
+pub(super) mod even {
     use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
     use super::{TIME_DIGITS, to_digits};

@@ -28,7 +28,6 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use minijinja::Value;
 use rayon::prelude::*;
 
 use crate::record::{CSV_FILES, RecordError, Records, WholeFile, write_csv, write_json, write_whole};
@@ -39,6 +38,7 @@ pub use folder::try_folder;
 pub use github::annotations;
 pub use junit::junit;
 pub use paper::{Language, paper_tables};
+pub use plot::motion::motion_picture;
 pub use plot::{heat_map, line_chart};
 pub use published::write_published;
 pub use sarif::{MARK as SARIF_MARK, sarif};
@@ -129,7 +129,9 @@ pub fn write_with(
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<(), ReportError> {
     let subjects = plot::subjects(records);
-    let pages = [&["records.json", "report.md", "index.html"][..], &CSV_FILES].concat();
+    let mut pages = ["records.json", "report.md"].map(str::to_owned).to_vec();
+    pages.extend(CSV_FILES.map(str::to_owned));
+    pages.extend(html::names(records));
     let folder = Folder::open(out, "records.json")?;
     folder.begin(&names(&pages, subjects.iter()))?;
     write_json(&out.join("records.json"), records)?;
@@ -138,7 +140,7 @@ pub fn write_with(
     let figures = write_pictures(records, &main, &subjects, out, progress)?;
     let page = page::compose(records, &main, &figures);
     write_page(&out.join("report.md"), |file| markdown::render(&page, file))?;
-    write_page(&out.join("index.html"), |file| html::render(&page, file))?;
+    html::write(records, &main, &page, out)?;
     let mut files = names(&pages, figures.iter().map(|figure| &figure.subject));
     if pictures == Pictures::PngAndSvg {
         files.extend(write_vectors(records, &main, &subjects, out)?);
@@ -159,10 +161,34 @@ pub fn write_rows(records: &Records, out: &Path) -> Result<(), ReportError> {
     Ok(folder.finish(&files)?)
 }
 
+/// Writes `index.html`, one page with everything in it, and `records.json` beside it.
+///
+/// # Errors
+/// A file cannot be written, or the picture or the page cannot be made.
+pub fn write_single_file(
+    records: &Records,
+    out: &Path,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<(), ReportError> {
+    let pages = ["records.json", "index.html"].map(str::to_owned);
+    let folder = Folder::open(out, "records.json")?;
+    folder.begin(&names(&pages, std::iter::empty()))?;
+    write_json(&out.join("records.json"), records)?;
+    let main = records.without_apart();
+    let path = out.join("index.html");
+    let fault = |plot::Fault(why)| ReportError::Picture { path: path.clone(), why };
+    let overview = plot::lay_out(records, &main, &Subject::Overview).map_err(fault)?;
+    let overview = overview.map(|picture| picture.png()).transpose().map_err(fault)?;
+    let page = page::compose(records, &main, &[]);
+    html::write_single(records, &main, &page, overview.as_deref(), &path)?;
+    progress(1, 1);
+    Ok(folder.finish(&names(&pages, std::iter::empty()))?)
+}
+
 /// The files of a report, by their paths in its folder.
-fn names<'a>(pages: &[&str], pictures: impl Iterator<Item = &'a Subject>) -> BTreeSet<String> {
+fn names<'a>(pages: &[impl AsRef<str>], pictures: impl Iterator<Item = &'a Subject>) -> BTreeSet<String> {
     let pictures = pictures.map(|subject| format!("plots/{}", subject.file_name()));
-    pages.iter().map(|page| (*page).to_owned()).chain(pictures).collect()
+    pages.iter().map(|page| page.as_ref().to_owned()).chain(pictures).collect()
 }
 
 /// Writes the section on foreign programs as a page of its own: `engines.md`, its pictures beside it as SVG, a
@@ -185,7 +211,7 @@ pub fn write_engines(records: &Records, out: &Path) -> Result<(), ReportError> {
         if let Some(picture) = plot::lay_out(records, records, &subject).map_err(fault)? {
             let svg = picture.svg().map_err(fault)?;
             write_whole(&path, plot::alone(&svg).as_bytes())?;
-            figures.push(Figure { subject, svg: Some(Value::from_safe_string(svg)) });
+            figures.push(Figure { subject });
         }
     }
     write_page(&out.join("engines.md"), |file| engines::page(records, &figures, file))?;
@@ -202,7 +228,7 @@ fn write_page(
     Ok(file.finish()?)
 }
 
-/// Draws pictures, writes the PNGs and gives back the SVGs. `main` is the records without the schemes that stand apart.
+/// Draws pictures and writes the PNGs. `main` is the records without the schemes that stand apart.
 fn write_pictures(
     records: &Records,
     main: &Records,
@@ -248,8 +274,5 @@ fn write_vectors(
 fn write_picture(picture: &Picture, path: &Path) -> Result<Figure, ReportError> {
     let fault = |plot::Fault(why)| ReportError::Picture { path: path.into(), why };
     write_whole(path, &picture.png().map_err(fault)?)?;
-    // A picture of every scheme holds thousands of points; a page with one a scene would no longer open.
-    let inline = !matches!(picture.subject, Subject::WorkPrecision(_, plot::Cast::Everyone, _));
-    let svg = if inline { Some(Value::from_safe_string(picture.svg().map_err(fault)?)) } else { None };
-    Ok(Figure { subject: picture.subject.clone(), svg })
+    Ok(Figure { subject: picture.subject.clone() })
 }

@@ -7,6 +7,8 @@ use serde::Serialize;
 use crate::record::{Drift, Measurement, Order, OrderStatus, Records, RunStatus, SchemeRow};
 use crate::report::{number, survey};
 
+use super::VerdictRow;
+
 /// A scheme's card.
 #[derive(Serialize)]
 pub(super) struct Scheme {
@@ -19,11 +21,24 @@ pub(super) struct Scheme {
     source: String,
     cost: String,
     fails_where: String,
+    apart: bool,
+    anchor: String,
+    tally: String,
+    orders: Vec<OrderRow>,
+    drifts: Vec<DriftRow>,
+    attention: Vec<VerdictRow>,
 }
 
 impl Scheme {
     pub(super) fn new(records: &Records, row: &SchemeRow) -> Scheme {
+        let verdicts = || records.verdicts.iter().filter(|verdict| verdict.scheme == row.name);
         Scheme {
+            apart: row.apart,
+            anchor: survey::file_stem(&row.name),
+            tally: survey::tally_words(&survey::tally(verdicts().collect::<Vec<_>>().into_iter())),
+            orders: records.orders.iter().filter(|one| one.scheme == row.name).map(OrderRow::new).collect(),
+            drifts: records.drifts.iter().filter(|one| one.scheme == row.name).map(DriftRow::new).collect(),
+            attention: super::attention(verdicts()),
             name: row.name.clone(),
             title: row.title.clone(),
             family: row.family.clone(),
@@ -90,6 +105,8 @@ pub(super) fn order_words(order: &Order) -> String {
 /// One order with everything known about it.
 #[derive(Serialize)]
 pub(super) struct OrderRow {
+    scene: String,
+    anchor: String,
     quantity: String,
     scheme: String,
     order: String,
@@ -102,6 +119,8 @@ pub(super) struct OrderRow {
 impl OrderRow {
     pub(super) fn new(order: &Order) -> OrderRow {
         OrderRow {
+            scene: order.scene.clone(),
+            anchor: survey::file_stem(&order.scene),
             quantity: survey::quantity_words(&order.quantity),
             scheme: order.scheme.clone(),
             order: order_words(order),

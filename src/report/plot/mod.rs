@@ -16,6 +16,7 @@ mod key;
 mod labels;
 mod legend;
 pub mod line_chart;
+pub mod motion;
 mod orders_panel;
 mod overview;
 mod overview_panels;
@@ -40,6 +41,7 @@ use crate::record::Records;
 use super::ranking::Work;
 use super::survey;
 use palette::Palette;
+pub(in crate::report) use raster::base64;
 pub(in crate::report) use render::Fault;
 use sketch::Sketch;
 pub(in crate::report) use vector::alone;
@@ -111,6 +113,38 @@ impl Picture {
     pub(super) fn svg(&self) -> Result<String, Fault> {
         vector::svg(&self.sketch)
     }
+}
+
+/// The colour of each scheme, as pages write colours.
+pub(super) struct Looks(Vec<(String, String)>);
+
+impl Looks {
+    /// Of the schemes that are drawn, as their pictures have them, and of those that stand apart.
+    pub(super) fn new(records: &Records) -> Looks {
+        let main = records.without_apart();
+        let palette = Palette::of_schemes(survey::measured_schemes(&main), &main.schemes);
+        let look = |name: &str| (name.to_owned(), hexadecimal(palette.look(name).ink));
+        let mut looks: Vec<(String, String)> = palette.schemes().iter().map(|name| look(name)).collect();
+        let others = survey::measured_schemes(records).into_iter().enumerate();
+        let others = others.filter(|(_, name)| !palette.schemes().contains(name));
+        looks.extend(others.map(|(place, name)| (name.to_owned(), Looks::by_place(place))));
+        Looks(looks)
+    }
+
+    /// The colour of a scheme; ink for what is none.
+    pub(super) fn colour(&self, scheme: &str) -> String {
+        let own = self.0.iter().find(|(name, _)| name == scheme);
+        own.map_or_else(|| hexadecimal(palette::INK), |(_, colour)| colour.clone())
+    }
+
+    /// The colour of the n-th of many things.
+    pub(super) fn by_place(place: usize) -> String {
+        hexadecimal(palette::COLOURS[place % palette::COLOURS.len()])
+    }
+}
+
+fn hexadecimal(plotters::style::RGBColor(red, green, blue): plotters::style::RGBColor) -> String {
+    format!("#{red:02x}{green:02x}{blue:02x}")
 }
 
 /// Everything that the records may have a picture of.
