@@ -19,29 +19,29 @@ use crate::scenes::Scene;
 #[derive(Args, Clone, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Options {
-    /// Table of numbers with a header, as t,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz; columns may be missing, more are ignored
+    /// Table with a header, as t,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz; columns may be missing
     #[arg(value_name = "LOG", required = true)]
     logs: Vec<PathBuf>,
     /// Scene that it is a run of: a built-in name or a TOML file
     #[arg(long, value_name = "X")]
     scene: String,
-    /// Which column is what: pairs as t=stamp,qw=q_w (a name or a number from 1), or a list as t,x,y,z,-,qw,qx,qy,qz
+    /// Which column is what: t=stamp,qw=q_w, or a list as t,x,y,z,-,qw
     #[arg(long, value_name = "LIST")]
     columns: Option<Columns>,
     /// Unit of times [default: what the header says, else s]
     #[arg(long, value_name = "U", value_parser = time_unit)]
     time_unit: Option<TimeUnit>,
-    /// Unit of Euler angles and angular velocities where the header says none: rad or deg
+    /// Unit of angles where the header says none: rad or deg
     #[arg(long, value_name = "U", value_parser = angle_unit)]
     angle_unit: Option<AngleUnit>,
-    /// Sequence of Euler angles: ZYX about moving axes (yaw, pitch, roll), zyx about fixed ones
+    /// Euler angles: ZYX about moving axes, zyx about fixed ones
     #[arg(long, value_name = "AXES")]
     euler: Option<Sequence>,
-    /// Axes of wx, wy, wz [default: what the names say, else world]
-    #[arg(long, value_enum, value_name = "AXES")]
+    /// Axes of wx, wy, wz [default: as named, else world]
+    #[arg(long, value_enum, hide_possible_values = true, value_name = "world|body")]
     angular_velocity: Option<Axes>,
-    /// What the quaternion takes to what [default: body-to-world]
-    #[arg(long, value_enum, value_name = "SENSE")]
+    /// body-to-world (default) or world-to-body
+    #[arg(long, value_enum, hide_possible_values = true, value_name = "SENSE")]
     quaternion: Option<Sense>,
     /// Read the log by the convention that the frame check finds
     #[arg(long)]
@@ -52,7 +52,7 @@ pub(super) struct Options {
     /// Largest error of --quantity over the run that passes
     #[arg(long, value_name = "E", value_parser = above_zero)]
     tolerance: Option<f64>,
-    /// Quantity that --tolerance is about, in its SI unit
+    /// Quantity that --tolerance is about
     #[arg(long, value_name = "Q", default_value = "body-point", requires = "tolerance", value_parser = quantity)]
     quantity: Quantity,
     /// Write the errors of every row as CSV (one log)

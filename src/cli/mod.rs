@@ -51,7 +51,7 @@ struct Arguments {
 }
 
 const CODES: &str = "\
-Exit codes: 0 all holds, 1 a claim failed, 2 undecided, 64 usage, 65 bad input, 69 no engine, 74 a file";
+Exit: 0 all holds, 1 a claim failed, 2 undecided, 64 usage, 65 input, 69 engine, 74 file";
 
 /// Options of every subcommand.
 #[derive(Args)]
@@ -123,6 +123,7 @@ enum Command {
     /// Print a scene file, or write a new one
     Scene(scene::Options),
     /// What a shell completes, and man pages
+    #[command(hide = true)]
     Completions(completions::Options),
 }
 

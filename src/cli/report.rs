@@ -18,7 +18,7 @@ use crate::report::{self, Language, Pictures};
 #[derive(Args, Clone, Debug, Default)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Options {
-    /// Folder to write into [default: reports/latest; reports/<subject> where scenes or schemes are named]
+    /// Folder to write into [default: reports/latest, or reports/<subject>]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     #[command(flatten)]

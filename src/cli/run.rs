@@ -27,7 +27,7 @@ pub(super) struct Options {
     /// Scheme, or substepped-N-S for the scheme S in N equal parts of every step
     #[arg(long, value_name = "S", default_value = "peskin-rk2")]
     scheme: String,
-    /// Time step [s]; the nearest that divides the duration is taken [default: a turn of 0.05 rad, a 512th of the duration at most]
+    /// Time step [s]; the nearest that divides the duration is taken [default: a turn of 0.05 rad]
     #[arg(long, value_name = "H", conflicts_with = "steps", allow_negative_numbers = true)]
     step: Option<f64>,
     /// Number of equal steps
@@ -39,10 +39,10 @@ pub(super) struct Options {
     /// Write every K-th state, besides the first and the last
     #[arg(long, value_name = "K", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
     every: u64,
-    /// The least model that determines the motion, or every mass point
+    /// The least model of the motion, or every mass point
     #[arg(long, value_enum, default_value_t = ModelChoice::Least)]
     model: ModelChoice,
-    /// Arithmetic of the run
+    /// Arithmetic
     #[arg(long, value_name = "A", default_value = f64::NAME, value_parser = PossibleValuesParser::new(Precision::ALL.map(Precision::name)))]
     precision: String,
     /// Format of the states
@@ -51,7 +51,7 @@ pub(super) struct Options {
     /// File to write instead of stdout
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
-    /// Draw the motion as a PNG: polhode, path of an axis, Ω and energy against time
+    /// Draw the motion: polhode, path of an axis, Ω and energy against time
     #[arg(long, value_name = "FILE.png")]
     plot: Option<PathBuf>,
     #[command(flatten)]

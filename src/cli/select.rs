@@ -31,7 +31,7 @@ pub(super) struct Scenes {
     #[arg(value_name = "SCENE")]
     places: Vec<String>,
     /// The same; may be given several times
-    #[arg(long = "scene", value_name = "X")]
+    #[arg(long = "scene", hide_short_help = true, value_name = "X")]
     named: Vec<String>,
 }
 
@@ -73,7 +73,7 @@ pub(super) struct OneScene {
     #[arg(value_name = "SCENE")]
     place: Option<String>,
     /// The same
-    #[arg(long = "scene", value_name = "X")]
+    #[arg(long = "scene", hide_short_help = true, value_name = "X")]
     named: Option<String>,
 }
 

@@ -25,7 +25,7 @@ pub(super) struct Options {
     /// Scheme, or `all`; may be given several times
     #[arg(long = "scheme", value_name = "S", default_value = "peskin-rk2")]
     schemes: Vec<String>,
-    /// Time step [s] where it is not varied [default: a turn of 0.05 rad, a 512th of the duration at most]
+    /// Time step [s] where it is not varied [default: a turn of 0.05 rad]
     #[arg(long, value_name = "H", allow_negative_numbers = true)]
     step: Option<f64>,
     /// Quantity whose error at the end is measured
@@ -37,7 +37,7 @@ pub(super) struct Options {
     /// What the picture shows
     #[arg(long, value_enum, default_value_t = Shown::Error)]
     show: Shown,
-    /// File for the CSV instead of stdout; the picture goes beside it, as .png
+    /// File for the CSV instead of stdout; the picture goes beside it
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     /// File for the picture

@@ -286,7 +286,7 @@ mod tests {
             let bits = |list: &[f64]| list.iter().map(|number| number.to_bits()).collect::<Vec<_>>();
             assert_eq!(bits(&lists_of(&text).expect("lists")[0]), bits(numbers));
         }
-        assert!(text_of(&[&[1e-67]]).starts_with('*') && text_of(&[&[-1.5]]).starts_with('3'));
+        assert!(text_of(&[&[1e-69]]).starts_with('*') && text_of(&[&[-1.5]]).starts_with('3'));
     }
 
     #[test]

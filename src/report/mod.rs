@@ -148,16 +148,17 @@ pub fn write_with(
     Ok(folder.finish(&files)?)
 }
 
-/// Writes `records.json` and `records.csv` alone: a run that the user ended is not worth drawing, and the user waits.
+/// Writes the records and their tables alone: a run that the user ended is not worth drawing, and the user waits.
 ///
 /// # Errors
 /// A file cannot be written.
 pub fn write_rows(records: &Records, out: &Path) -> Result<(), ReportError> {
     let folder = Folder::open(out, "records.json")?;
-    let files = names(&["records.json", "records.csv"], std::iter::empty());
+    let mut files = names(&CSV_FILES, std::iter::empty());
+    files.insert("records.json".to_owned());
     folder.begin(&files)?;
     write_json(&out.join("records.json"), records)?;
-    write_csv(&out.join("records.csv"), records)?;
+    write_csv(out, records)?;
     Ok(folder.finish(&files)?)
 }
 

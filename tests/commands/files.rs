@@ -80,11 +80,11 @@ fn a_report_removes_and_overwrites_only_what_an_earlier_one_made() {
         let output = polhode(&[&options[..], &[&out.to_string_lossy()]].concat());
         assert_eq!(code(&output), 0, "{}", stderr(&output));
     };
-    report("free-rod");
-    assert!(out.join("plots/free-rod-convergence.png").exists());
-    report("free-oblate");
-    assert!(!out.join("plots/free-rod-convergence.png").exists());
-    assert!(out.join("plots/free-oblate-convergence.png").exists());
+    report("free-asymmetric");
+    assert!(out.join("plots/free-asymmetric-convergence.png").exists());
+    report("kovalevskaya");
+    assert!(!out.join("plots/free-asymmetric-convergence.png").exists());
+    assert!(out.join("plots/kovalevskaya-convergence.png").exists());
     for name in ["plots/mine.png", "plots/overview.png.kept", "notes.txt"] {
         assert_eq!(fs::read_to_string(out.join(name)).expect("kept"), "mine", "{name}");
     }

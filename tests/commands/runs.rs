@@ -209,7 +209,8 @@ fn bad_input_is_65_with_file_line_and_key() {
         .expect("written");
     let output = polhode(&["gate", "--scene", &path.to_string_lossy()]);
     assert_eq!(code(&output), 65);
-    assert!(stderr(&output).contains("bad.toml:4: body.mass"), "{}", stderr(&output));
+    let said = stderr(&output);
+    assert!(said.contains("bad.toml:4:") && said.contains("body.mass"), "{said}");
     let records = folder.path().join("records.json");
     fs::write(&records, "{}").expect("written");
     let output = polhode(&["gate", "--scene", "free-rod", "--baseline", &records.to_string_lossy()]);

@@ -44,8 +44,8 @@ fn the_command_line_comes_before_the_file_and_the_file_before_the_defaults() {
             let rows = records["evidence"].as_array().expect("rows").iter();
             rows.map(|row| row[key].as_str().expect("a name").to_owned()).collect::<Vec<_>>()
         };
-        let rungs = records["evidence"][0]["ladder"]["rungs"].as_array().expect("runs").clone();
-        let steps = rungs.iter().map(|run| run["steps"].as_u64().expect("a number")).collect::<Vec<_>>();
+        let steps = records["evidence"][0]["ladder"]["rungs"]["steps"].as_array().expect("runs").iter();
+        let steps = steps.map(|steps| steps.as_u64().expect("a number")).collect::<Vec<_>>();
         (code(&output), of("scheme"), of("scene"), steps)
     };
     let own = |text: &str| vec![text.to_owned()];

@@ -135,7 +135,7 @@ fn every_smooth_law_moves_a_body_as_it_does_in_dop853() {
             let system = System::new(body, vec![described.example()], x, turned, u, spin).expect("a system");
             let times = [0.3, 0.9, 2.0];
             let Ok(run) = taylor::solve(&system, &times, 1e-14) else {
-                assert_eq!(described.name, "ground");
+                assert!(["ground", "torque-pulse"].contains(&described.name), "{}", described.name);
                 continue;
             };
             let exact = dop853::solve(&system, &times, dop853::TOLERANCE).expect("a run");
