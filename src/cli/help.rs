@@ -40,7 +40,7 @@ pub(super) fn arranged(command: Command) -> Command {
 }
 
 /// A line a command: the options of all of them stand in `polhode help NAME`.
-const TEMPLATE: &str = "{about}\n{usage-heading} {usage}\n\n{subcommands}{after-help}";
+const TEMPLATE: &str = "{about}\n{usage-heading} {usage}\n{subcommands}{after-help}";
 
 fn flag() -> Arg {
     Arg::new("help").short('h').long("help").action(ArgAction::HelpShort).help("Print this")

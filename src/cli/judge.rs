@@ -25,7 +25,7 @@ pub(super) struct Options {
     /// Scene that it is a run of: a built-in name or a TOML file
     #[arg(long, value_name = "X")]
     scene: String,
-    /// Which column is what: t=stamp,qw=q_w, or a list as t,x,y,z,-,qw
+    /// Which column is what, as t=stamp,qw=q_w or t,x,y,z,-,qw
     #[arg(long, value_name = "LIST")]
     columns: Option<Columns>,
     /// Unit of times [default: what the header says, else s]
@@ -35,10 +35,10 @@ pub(super) struct Options {
     #[arg(long, value_name = "U", value_parser = angle_unit)]
     angle_unit: Option<AngleUnit>,
     /// Euler angles: ZYX about moving axes, zyx about fixed ones
-    #[arg(long, value_name = "AXES")]
+    #[arg(long, hide_short_help = true, value_name = "AXES")]
     euler: Option<Sequence>,
-    /// Axes of wx, wy, wz [default: as named, else world]
-    #[arg(long, value_enum, hide_possible_values = true, value_name = "world|body")]
+    /// Axes of wx, wy, wz: world or body [default: as named, else world]
+    #[arg(long, value_enum, hide_possible_values = true, value_name = "AXES")]
     angular_velocity: Option<Axes>,
     /// body-to-world (default) or world-to-body
     #[arg(long, value_enum, hide_possible_values = true, value_name = "SENSE")]

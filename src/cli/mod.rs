@@ -123,7 +123,6 @@ enum Command {
     /// Print a scene file, or write a new one
     Scene(scene::Options),
     /// What a shell completes, and man pages
-    #[command(hide = true)]
     Completions(completions::Options),
 }
 
