@@ -10,7 +10,7 @@
 
 use super::{Baseline, SOLVED_TO, promised_exact, ruled};
 use crate::claim::Claim;
-use crate::measure::{Asked, BELOW, Decision, Doubt, HIGHEST, Order, Run, decide, start_allows};
+use crate::measure::{Asked, BELOW, Decision, Doubt, HIGHEST, Order, Run, decide_either, start_allows};
 use crate::model::Quantity;
 use crate::record::{ClaimName, Evidence, Ruling, Rung, Verdict, length};
 
@@ -33,17 +33,25 @@ pub(super) fn judge(evidence: &Evidence, baseline: &Baseline) -> Vec<Verdict> {
         return vec![broke];
     }
     let judged = Quantity::ALL.into_iter().filter(|quantity| !does_not_turn(evidence, *quantity));
-    let decided: Vec<(Quantity, Decision)> =
-        judged.map(|quantity| (quantity, decide(&Asked::of(&evidence.ladder, quantity)))).collect();
+    let decide = |quantity| {
+        let asked = (quantity, evidence.order());
+        let (decision, finer) = decide_either(&evidence.ladder, evidence.precise.as_ref(), asked);
+        (quantity, decision, finer.is_some())
+    };
+    let decided: Vec<(Quantity, Decision, bool)> = judged.map(decide).collect();
     let mut verdicts: Vec<Verdict> = Vec::new();
-    for (quantity, decision) in &decided {
+    for (quantity, decision, precise) in &decided {
+        let first = verdicts.len();
         verdicts.extend(judge_start(evidence, *quantity).filter(|_| evidence.program));
         // An order that is judged says whether the runs converge.
         let order = judge_order(evidence, *quantity, decision);
         verdicts.push(order.unwrap_or_else(|| judge_convergence(evidence, *quantity, decision)));
         verdicts.extend(judge_jump(evidence, *quantity, decision));
-        verdicts.extend(judge_odd(evidence, *quantity, decision));
+        verdicts.extend(judge_odd(evidence, *quantity, decision).filter(|_| !precise));
         verdicts.extend(judge_constant(evidence, *quantity, decision, baseline));
+        if *precise {
+            verdicts[first..].iter_mut().for_each(|verdict| verdict.detail += ", in double-double");
+        }
         verdicts.extend(judge_record(evidence, *quantity, baseline));
     }
     if let Some(reason) = &evidence.setting.not_for_order {
@@ -51,7 +59,7 @@ pub(super) fn judge(evidence: &Evidence, baseline: &Baseline) -> Vec<Verdict> {
     }
     let found =
         |decision: &Decision| if let Decision::Order(found) = decision { Some(found.order) } else { None };
-    let orders = || decided.iter().filter_map(|(_, decision)| found(decision));
+    let orders = || decided.iter().filter_map(|(_, decision, _)| found(decision));
     verdicts.extend(judge_generic(evidence, orders().min()));
     verdicts.extend(evidence.ladder.cause.iter().map(|cause| {
         ruled(

@@ -2,6 +2,7 @@
 
 use super::ladder::{Climbed, Truth, shortened};
 use super::order::{Asked, Decision, decide};
+use super::precise::PreciseTruth;
 use crate::model::{Quantity, System};
 use crate::record::{self, length};
 use crate::reference::Reference;
@@ -37,17 +38,20 @@ pub fn climb(contestant: &Contestant, system: &System, reference: &Reference, or
     let mut climbed = Climbed {
         model: contestant.model(system),
         ladder: truth.ladder(),
+        precise: None,
         rungs: Vec::new(),
         finest: [Vec::new(), Vec::new()],
         truth: Vec::new(),
     };
-    for steps in steps(contestant, phase, order.unwrap_or_default()) {
+    let precise = PreciseTruth::new(contestant, &truth, order);
+    let steps = steps(contestant, phase, order.unwrap_or_default());
+    for steps in steps.iter().copied() {
         let (rung, shown, states) = truth.run(contestant, steps, &mut climbed.ladder);
         climbed.ladder.rungs.push(rung);
         climbed.rungs.push(shown);
         climbed.finest.swap(0, 1);
         climbed.finest[0] = states;
-        if climbed.refusal().is_some() || is_done(contestant, &climbed, order) {
+        if climbed.refusal().is_some() || is_done(contestant, &climbed, order, precise.is_some()) {
             break;
         }
     }
@@ -57,8 +61,10 @@ pub fn climb(contestant: &Contestant, system: &System, reference: &Reference, or
         steps => steps.map(|steps| 3 * steps / 2 + 1).into_iter().collect(),
     };
     climbed.ladder.odd = odd.into_iter().map(|steps| truth.odd(contestant, steps)).collect();
+    climbed.precise = precise.and_then(|precise| precise.climb(&climbed.ladder, &steps));
     climbed.truth = truth.states();
     shortened(&mut climbed.ladder);
+    climbed.precise.iter_mut().for_each(shortened);
     climbed
 }
 
@@ -109,8 +115,8 @@ fn steps(contestant: &Contestant, phase: f64, order: u32) -> Vec<u64> {
     }
 }
 
-/// Whether finer runs would not change the answer.
-fn is_done(contestant: &Contestant, climbed: &Climbed, order: Option<u32>) -> bool {
+/// Whether finer runs would not change the answer; where double-double takes over, rounding ends it too.
+fn is_done(contestant: &Contestant, climbed: &Climbed, order: Option<u32>, precise: bool) -> bool {
     let Some(finest) = climbed.ladder.rungs.last() else { return false };
     let exact = |quantity| {
         let asked = Asked::of(&climbed.ladder, quantity);
@@ -124,9 +130,10 @@ fn is_done(contestant: &Contestant, climbed: &Climbed, order: Option<u32>) -> bo
         Decision::Undecided(_) => false,
     };
     let at_rounding = Quantity::ALL.into_iter().all(exact);
+    let decided_or_rounding = |quantity| decided(quantity) || (precise && exact(quantity));
     if contestant.chooses_steps() {
         return finest.evaluations > MOST_EVALUATIONS || at_rounding;
     }
     let is_fine = climbed.rungs.len() >= FEWEST_RUNGS && (finest.steps >= FINE || at_rounding);
-    is_fine && (order.is_none() || at_rounding || Quantity::ALL.into_iter().all(decided))
+    is_fine && (order.is_none() || at_rounding || Quantity::ALL.into_iter().all(decided_or_rounding))
 }

@@ -14,6 +14,7 @@ pub(crate) mod ladder;
 mod momentum;
 pub(crate) mod order;
 pub(crate) mod points;
+mod precise;
 pub(crate) mod reversal;
 mod rigidity;
 pub(crate) mod symplecticity;
@@ -29,7 +30,9 @@ pub(crate) use flips::{FlipFinder, flips, true_flips, tumbling_axis};
 pub(crate) use invariance::other_worlds;
 pub(crate) use ladder::between;
 pub use ladder::{Climbed, Rung};
-pub(crate) use order::{Asked, BELOW, Decision, Doubt, HIGHEST, Order, Run, decide, start_allows};
+pub(crate) use order::{
+    Asked, BELOW, Decision, Doubt, HIGHEST, Order, Run, decide, decide_either, start_allows,
+};
 pub(crate) use points::point_run;
 pub(crate) use reversal::reversal;
 pub(crate) use symplecticity::symplecticity;

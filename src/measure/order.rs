@@ -16,6 +16,7 @@
 //! Over a long run errors saturate at steps that anybody takes. The rule is asked at the end first, then at a quarter of the time, and so
 //! on: what counts is the latest time at which it decides.
 
+use crate::arithmetic::{DoubleDouble, Real};
 use crate::model::Quantity;
 use crate::model::copies::CLEAR;
 use crate::record::{Ladder, Rung, length};
@@ -73,6 +74,8 @@ pub struct Asked<'a> {
     pub unit: f64,
     /// Uncertainty of the truth, in the unit of the quantity.
     pub uncertainty: f64,
+    /// What a step rounds, relative.
+    pub of_step: f64,
 }
 
 impl Asked<'_> {
@@ -84,6 +87,7 @@ impl Asked<'_> {
             scale: ladder.sizes[quantity],
             unit: ladder.printed,
             uncertainty: ladder.uncertainty[quantity],
+            of_step: if ladder.double_double { DoubleDouble::UNIT } else { f64::EPSILON },
         }
     }
 
@@ -92,7 +96,7 @@ impl Asked<'_> {
     pub fn floor(&self, run: &Run, samples: usize) -> f64 {
         let of_all = (samples as f64).sqrt();
         let copies = length(&run.rounding[..samples.min(run.rounding.len())]);
-        let steps = f64::EPSILON * run.steps as f64 * self.scale;
+        let steps = self.of_step * run.steps as f64 * self.scale;
         // Half a unit of the last digit is a bound, no estimate: r is to resolve a tenth of the error.
         let known = (self.unit * self.scale + self.uncertainty) / BELOW;
         (CLEAR * copies).max((steps + known) * of_all)
@@ -192,6 +196,33 @@ pub enum Doubt {
 /// How far the first state of a run may be from the start of the scene: what its arithmetic and its digits allow.
 pub fn start_allows(ladder: &Ladder, quantity: Quantity) -> f64 {
     CLEAR * (ladder.arithmetic + ladder.printed) * ladder.sizes[quantity]
+}
+
+impl Decision {
+    /// Whether f64 leaves an order of `claimed` open: undecided for another reason than too few runs, or not held.
+    pub fn is_open(&self, claimed: u32) -> bool {
+        match self {
+            Decision::Exact | Decision::Undecided(Doubt::FewRuns { .. }) => false,
+            Decision::Undecided(_) | Decision::Elsewhere { .. } => true,
+            Decision::Order(found) => found.order < claimed,
+        }
+    }
+}
+
+/// What the rule says of a quantity in f64; where that leaves the claimed order open, in double-double if that decides it. Whether it does is
+/// the second.
+pub fn decide_either<'a>(
+    ladder: &'a Ladder,
+    precise: Option<&'a Ladder>,
+    (quantity, claimed): (Quantity, u32),
+) -> (Decision, Option<&'a Ladder>) {
+    let own = decide(&Asked::of(ladder, quantity));
+    let finer = precise.filter(|_| own.is_open(claimed));
+    let found = finer.map(|finer| (decide(&Asked::of(finer, quantity)), finer));
+    match found.filter(|(found, _)| !matches!(found, Decision::Undecided(_))) {
+        Some((found, finer)) => (found, Some(finer)),
+        None => (own, None),
+    }
 }
 
 /// Asks the rule at the end, then at a quarter of the time, and so on.
@@ -381,7 +412,15 @@ mod tests {
     }
 
     fn decided(runs: &[Run]) -> Decision {
-        decide(&Asked { runs: runs.to_vec(), times: &TIMES, scale: 1.0, unit: 0.0, uncertainty: 0.0 })
+        let of_step = f64::EPSILON;
+        decide(&Asked {
+            runs: runs.to_vec(),
+            times: &TIMES,
+            scale: 1.0,
+            unit: 0.0,
+            uncertainty: 0.0,
+            of_step,
+        })
     }
 
     fn order(runs: &[Run]) -> Option<Order> {
