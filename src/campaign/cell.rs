@@ -73,6 +73,7 @@ fn evidence(scene: &Scene, reference: &Reference, contestant: &Contestant, climb
     Evidence {
         ladder: climbed.ladder.clone(),
         precise: climbed.precise.clone(),
+        exactness: climbed.exactness.clone(),
         drift: measure::energy_drift(contestant, system, scene.duration),
         points: measure::point_run(contestant, system, scene.duration, fastest),
         flips: truth.and_then(|truth| measure::flips(contestant, system, scene.duration, fastest, truth)),

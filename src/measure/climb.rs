@@ -2,7 +2,7 @@
 
 use super::ladder::{Climbed, Truth, shortened};
 use super::order::{Asked, Decision, decide};
-use super::precise::PreciseTruth;
+use super::precise::Precise;
 use crate::model::{Quantity, System};
 use crate::record::{self, length};
 use crate::reference::Reference;
@@ -39,11 +39,12 @@ pub fn climb(contestant: &Contestant, system: &System, reference: &Reference, or
         model: contestant.model(system),
         ladder: truth.ladder(),
         precise: None,
+        exactness: None,
         rungs: Vec::new(),
         finest: [Vec::new(), Vec::new()],
         truth: Vec::new(),
     };
-    let precise = PreciseTruth::new(contestant, &truth, order);
+    let precise = Precise::new(contestant, &truth);
     let steps = steps(contestant, phase, order.unwrap_or_default());
     for steps in steps.iter().copied() {
         let (rung, shown, states) = truth.run(contestant, steps, &mut climbed.ladder);
@@ -61,10 +62,13 @@ pub fn climb(contestant: &Contestant, system: &System, reference: &Reference, or
         steps => steps.map(|steps| 3 * steps / 2 + 1).into_iter().collect(),
     };
     climbed.ladder.odd = odd.into_iter().map(|steps| truth.odd(contestant, steps)).collect();
-    climbed.precise = precise.and_then(|precise| precise.climb(&climbed.ladder, &steps));
+    if let Some(precise) = precise {
+        climbed.precise = precise.climb(&climbed.ladder, &steps, order.unwrap_or_default());
+        climbed.exactness = steps.first().and_then(|first| precise.exactness(&climbed.ladder, *first));
+    }
     climbed.truth = truth.states();
     shortened(&mut climbed.ladder);
-    climbed.precise.iter_mut().for_each(shortened);
+    climbed.precise.iter_mut().chain(&mut climbed.exactness).for_each(shortened);
     climbed
 }
 

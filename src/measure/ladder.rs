@@ -11,6 +11,7 @@ use crate::model::copies::CLEAR;
 use crate::model::{Broken, PerQuantity, Quantity, Snapshot, System, sizes};
 use crate::record::{self, length, to_digits};
 use crate::reference::Reference;
+use crate::reference::precise::Moment;
 use crate::rotation;
 use crate::simulate::{Break, Contestant, Form, Outcome, Plan, Program};
 
@@ -30,6 +31,8 @@ pub struct Climbed {
     pub ladder: record::Ladder,
     /// The same in double-double, where f64 leaves an order open.
     pub precise: Option<record::Ladder>,
+    /// Runs in double-double to the first sample time, where a quantity is promised to be exact.
+    pub exactness: Option<record::Ladder>,
     /// The runs, step falling, as tables show them.
     pub rungs: Vec<Rung>,
     /// States of the two finest runs at equal intervals, the finest first.
@@ -73,7 +76,7 @@ impl Rung {
 pub(super) struct Truth<'a> {
     pub(super) system: &'a System,
     /// The truth at equal intervals of the run; its states stand beside those of every run.
-    pub(super) reference: Reference,
+    reference: Reference,
     /// Indices of the sample times among them; the first, the start, is left out.
     pub(super) samples: Vec<usize>,
     arms: Vec<[f64; 3]>,
@@ -100,8 +103,23 @@ impl<'a> Truth<'a> {
         }
     }
 
-    pub(super) fn duration(&self) -> f64 {
-        self.reference.times[self.reference.times.len() - 1]
+    pub fn duration(&self) -> f64 {
+        self.time(self.intervals() as usize)
+    }
+
+    /// Equal intervals of the run.
+    pub fn intervals(&self) -> u64 {
+        self.reference.times.len() as u64 - 1
+    }
+
+    /// The end of so many intervals [s].
+    pub fn time(&self, index: usize) -> f64 {
+        self.reference.times[index]
+    }
+
+    /// The truth to 31 digits after so many intervals.
+    pub fn moment(&self, index: usize) -> Option<&Moment> {
+        self.reference.moment(self.time(index))
     }
 
     /// The truth at the equal intervals of every run.
@@ -121,8 +139,7 @@ impl<'a> Truth<'a> {
         steps: u64,
         ladder: &mut record::Ladder,
     ) -> (record::Rung, Rung, Vec<Snapshot>) {
-        let intervals = self.reference.states.len() as u64 - 1;
-        let plan = Plan::over(self.duration(), steps, intervals);
+        let plan = Plan::over(self.duration(), steps, self.intervals());
         let run = contestant.run(self.system, Form::Least, &plan);
         (ladder.arithmetic, ladder.printed) = units(contestant.program());
         self.look_at_start(&run.states, ladder);
@@ -172,7 +189,7 @@ impl<'a> Truth<'a> {
 
     /// Takes in the distances of the copies from the run, at the states that `sampled` takes of each. A copy that breaks is no evidence of
     /// rounding. Runs that choose their own steps have no copies: those would choose others.
-    fn add_rounding(
+    pub fn add_rounding(
         &self,
         contestant: &Contestant,
         rung: &mut record::Rung,

@@ -1,59 +1,58 @@
-//! A ladder in double-double, against the motion to 31 digits: what decides an order whose range f64 does not hold.
+//! Runs in double-double against the motion to 31 digits: what decides an order whose range f64 does not hold, and what is exact.
 //!
 //! How a rounding grows is seen in copies in f64; its unit is that of the arithmetic. A copy that goes astray in f64 says nothing of finer
-//! roundings, and the order stays open there.
+//! roundings, and nothing is decided there.
 
-use super::copies;
-use super::ladder::{Truth, between, measured};
-use super::order::{Asked, Decision, decide};
 use nalgebra::{Matrix3, Vector3};
 
+use super::ladder::{Truth, measured};
+use super::order::{Asked, Decision, decide};
 use crate::arithmetic::{DoubleDouble, Real};
 use crate::claim::Claim;
 use crate::model::{PerQuantity, Quantity, Snapshot, System};
-use crate::record::{self, length};
-use crate::reference::precise::Moment;
+use crate::record;
+use crate::reference::precise;
 use crate::rotation;
 use crate::simulate::{Contestant, Form, Plan};
 
-/// Most evaluations and iterations of a run.
+/// Most evaluations and iterations of a run of a ladder.
 const MOST_WORK: u64 = 1 << 15;
-/// Fewest runs.
+/// Fewest runs of a ladder.
 const FEWEST_RUNGS: usize = 6;
+/// Runs that show whether a quantity is exact, each of half the step of the last, …
+const EXACT_RUNGS: u32 = 3;
+/// … and the steps of the coarsest, at least.
+const FEWEST_STEPS: u64 = 4;
+/// Steps of the runs of a steady spin beside them: exact is exact at every step.
+const GIANT_STEPS: [u64; 2] = [1, 3];
 
-/// What every run of a ladder in double-double is compared with.
-pub(super) struct PreciseTruth<'a> {
+/// A contestant in double-double, and what its runs are compared with.
+pub(super) struct Precise<'a> {
     contestant: &'a Contestant,
     truth: &'a Truth<'a>,
-    order: u32,
     system: System<DoubleDouble>,
-    /// Those of the truth that f64 holds.
+    /// The sample times of the truth at which it is known to 31 digits.
     samples: Vec<usize>,
     states: Vec<Snapshot<DoubleDouble>>,
     uncertainty: PerQuantity<f64>,
 }
 
-impl<'a> PreciseTruth<'a> {
-    /// `None` where no order of the scene's own motion is claimed, or where scheme or truth are in f64 alone.
-    pub fn new(
-        contestant: &'a Contestant,
-        truth: &'a Truth<'a>,
-        order: Option<u32>,
-    ) -> Option<PreciseTruth<'a>> {
-        let order = order.filter(|order| *order > 0 && contestant.runs_in_double_double())?;
-        if contestant.card.claims.contains(&Claim::SolvesAnotherMotion) {
+impl<'a> Precise<'a> {
+    /// `None` where scheme or truth are in f64 alone, or where the scheme solves another motion.
+    pub fn new(contestant: &'a Contestant, truth: &'a Truth<'a>) -> Option<Precise<'a>> {
+        let another = contestant.card.claims.contains(&Claim::SolvesAnotherMotion);
+        if another || !contestant.runs_in_double_double() {
             return None;
         }
-        let moment = |index: &usize| Some((*index, truth.reference.moment(truth.reference.times[*index])?));
-        let (samples, moments): (Vec<usize>, Vec<&Moment>) = truth.samples.iter().filter_map(moment).unzip();
-        // The end is asked first.
-        if samples.last() != truth.samples.last() {
+        let known = |index: &usize| Some((*index, truth.moment(*index)?));
+        let (samples, moments): (Vec<usize>, Vec<_>) = truth.samples.iter().filter_map(known).unzip();
+        // The first is asked for exactness and the last for orders.
+        if samples.first() != truth.samples.first() || samples.last() != truth.samples.last() {
             return None;
         }
-        Some(PreciseTruth {
+        Some(Precise {
             contestant,
             truth,
-            order,
             system: System::of(truth.system).ok()?,
             samples,
             states: moments.iter().map(|moment| snapshot(moment)).collect(),
@@ -61,33 +60,25 @@ impl<'a> PreciseTruth<'a> {
         })
     }
 
-    /// The runs of so many steps, until every quantity is decided that the ladder in f64 leaves open; `None` where it leaves none.
-    pub fn climb(&self, own: &record::Ladder, steps: &[u64]) -> Option<record::Ladder> {
-        let is_open = |quantity: &Quantity| decide(&Asked::of(own, *quantity)).is_open(self.order);
+    /// The runs of so many steps, until every order is decided that the ladder in f64 leaves open; `None` where it leaves none, or where none
+    /// is claimed.
+    pub fn climb(&self, own: &record::Ladder, steps: &[u64], order: u32) -> Option<record::Ladder> {
+        let is_open = |quantity: &Quantity| decide(&Asked::of(own, *quantity)).is_open(order);
         let open: Vec<Quantity> = Quantity::ALL.into_iter().filter(is_open).collect();
-        if open.is_empty() {
+        if order == 0 || open.is_empty() {
             return None;
         }
-        let mut ladder = record::Ladder {
-            double_double: true,
-            times: self.samples.iter().map(|index| self.truth.reference.times[*index]).collect(),
-            uncertainty: self.uncertainty,
-            arithmetic: DoubleDouble::UNIT,
-            rungs: Vec::new(),
-            odd: Vec::new(),
-            ..own.clone()
-        };
-        let decisions = |ladder: &record::Ladder| {
-            open.iter().map(|of| decide(&Asked::of(ladder, *of))).collect::<Vec<_>>()
-        };
+        let times = self.samples.iter().map(|index| self.truth.time(*index)).collect();
+        let mut ladder = self.ladder(own, times);
         let mut before = Vec::new();
         for steps in steps.iter().copied() {
-            let rung = self.run(steps, own);
+            let plan = Plan::over(self.truth.duration(), steps, self.truth.intervals());
+            let rung = self.run(&plan, &self.samples, &self.states);
             let work = rung.evaluations + rung.iterations;
             ladder.rungs.push(rung);
-            let now = decisions(&ladder);
+            let now: Vec<Decision> = open.iter().map(|of| decide(&Asked::of(&ladder, *of))).collect();
             // Twice the same, so that a chance at large steps decides nothing.
-            let settled = ladder.rungs.len() >= FEWEST_RUNGS && same(&before, &now, self.order);
+            let settled = ladder.rungs.len() >= FEWEST_RUNGS && same(&before, &now, order);
             if settled || 2 * work > MOST_WORK {
                 break;
             }
@@ -96,41 +87,60 @@ impl<'a> PreciseTruth<'a> {
         Some(ladder)
     }
 
-    fn run(&self, steps: u64, own: &record::Ladder) -> record::Rung {
-        let intervals = self.truth.reference.states.len() as u64 - 1;
-        let plan = Plan::over(self.truth.duration(), steps, intervals);
-        let (states, outcome) = self.contestant.run_in(&self.system, Form::Least, &plan);
-        let states = self.sampled(&states);
-        let mut rung = measured(&self.system.body, &plan, &outcome, &states, &self.states);
+    /// Runs to the first sample time, about one turn, from steps of the size that the ladder in f64 begins with; `coarsest` is the steps of
+    /// that run. `None` where nothing is promised to be exact.
+    pub fn exactness(&self, own: &record::Ladder, coarsest: u64) -> Option<record::Ladder> {
+        let system = self.truth.system;
+        let promised = self.contestant.card.claims.iter().any(|claim| matches!(claim, Claim::Exact(..)));
+        if !promised || !system.constant_force().0 {
+            return None;
+        }
+        let part = self.truth.intervals() / self.samples[0] as u64;
+        let first = (coarsest / part).max(FEWEST_STEPS);
+        let giant = GIANT_STEPS.into_iter().filter(|_| system.steady_spin());
+        let time = self.truth.time(self.samples[0]);
+        let mut ladder = self.ladder(own, vec![time]);
+        ladder.uncertainty = self.truth.moment(self.samples[0])?.error;
+        for steps in giant.chain((0..EXACT_RUNGS).map(|halvings| first << halvings)) {
+            let plan = Plan { step: time / steps as f64, steps, every: steps };
+            ladder.rungs.push(self.run(&plan, &[1], &self.states[..1]));
+        }
+        Some(ladder)
+    }
+
+    /// A ladder before its first run.
+    fn ladder(&self, own: &record::Ladder, times: Vec<f64>) -> record::Ladder {
+        record::Ladder {
+            double_double: true,
+            times,
+            sizes: own.sizes,
+            uncertainty: self.uncertainty,
+            arithmetic: DoubleDouble::UNIT,
+            arms: own.arms.clone(),
+            ..record::Ladder::default()
+        }
+    }
+
+    /// A run, compared at these of its states.
+    fn run(&self, plan: &Plan, at: &[usize], truth: &[Snapshot<DoubleDouble>]) -> record::Rung {
+        let (states, outcome) = self.contestant.run_in(&self.system, Form::Least, plan);
+        let mut rung = measured(&self.system.body, plan, &outcome, &taken(&states, at), truth);
         if rung.broken.is_none() {
-            rung.rounding = self.rounding(&plan, own);
+            let own = self.contestant.run(self.truth.system, Form::Least, plan).states;
+            let of_run = (taken(&own, at), |copy: &[Snapshot]| taken(copy, at));
+            self.truth.add_rounding(self.contestant, &mut rung, plan, (&of_run.0, of_run.1));
+            let finer = DoubleDouble::UNIT / f64::EPSILON;
+            Quantity::ALL
+                .into_iter()
+                .for_each(|quantity| rung.rounding[quantity].iter_mut().for_each(|x| *x *= finer));
         }
         rung
     }
+}
 
-    /// The distances of copies in f64 from a run, in the unit of double-double.
-    fn rounding(&self, plan: &Plan, own: &record::Ladder) -> PerQuantity<Vec<f64>> {
-        let system = self.truth.system;
-        let run = |system: &System| self.sampled(&self.contestant.run(system, Form::Least, plan).states);
-        let states = run(system);
-        let mut rounding = PerQuantity::of(|_| vec![0.0f64; self.samples.len()]);
-        for start in copies::starts(system, &self.truth.reference.states, f64::EPSILON, false) {
-            let errors = between(&system.body, &run(&start), &states);
-            let apart = record::Rung { errors, ..record::Rung::default() };
-            for quantity in Quantity::ALL {
-                let vector = apart.error(quantity, &own.arms);
-                let components = (vector.len() / self.samples.len()).max(1);
-                for (largest, apart) in rounding[quantity].iter_mut().zip(vector.chunks(components)) {
-                    *largest = largest.max(length(apart) * (DoubleDouble::UNIT / f64::EPSILON));
-                }
-            }
-        }
-        rounding
-    }
-
-    fn sampled<T: Real>(&self, states: &[Snapshot<T>]) -> Vec<Snapshot<T>> {
-        self.samples.iter().filter_map(|index| states.get(*index)).copied().collect()
-    }
+/// The states of these places.
+fn taken<T: Real>(states: &[Snapshot<T>], at: &[usize]) -> Vec<Snapshot<T>> {
+    at.iter().filter_map(|index| states.get(*index)).copied().collect()
 }
 
 /// Whether all are decided, and as they were before.
@@ -144,14 +154,15 @@ fn same(before: &[Decision], now: &[Decision], claimed: u32) -> bool {
 }
 
 /// A moment of the truth in the arithmetic of the runs.
-fn snapshot(moment: &Moment) -> Snapshot<DoubleDouble> {
-    let number = |x: crate::reference::precise::DoubleDouble| DoubleDouble::of_sum(x.high, x.low);
-    let vector = |v: &[crate::reference::precise::DoubleDouble; 3]| Vector3::from(v.map(number));
+fn snapshot(moment: &precise::Moment) -> Snapshot<DoubleDouble> {
+    let number = |x: precise::DoubleDouble| DoubleDouble::of_sum(x.high, x.low);
+    let vector = |v: &[precise::DoubleDouble; 3]| Vector3::from(v.map(number));
+    let axes = Matrix3::from_columns(&moment.axes.each_ref().map(vector));
     Snapshot {
         time: DoubleDouble::exact(moment.time),
         position: vector(&moment.position),
         velocity: vector(&moment.velocity),
-        orientation: rotation::from_matrix(&Matrix3::from_columns(&moment.axes.each_ref().map(vector))),
+        orientation: rotation::from_matrix(&axes),
         angular_velocity: vector(&moment.angular_velocity),
         angular_momentum: vector(&moment.angular_momentum),
         stretch: DoubleDouble::exact(0.0),

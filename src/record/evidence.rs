@@ -37,6 +37,9 @@ pub struct Evidence {
     /// The same in double-double, where f64 leaves an order open.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub precise: Option<Ladder>,
+    /// Runs in double-double to the first sample time, where a quantity is promised to be exact.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub exactness: Option<Ladder>,
     /// Long runs of a free body.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drift: Option<EnergyDrift>,

@@ -93,6 +93,7 @@ const EDGES: &[(&str, &[&str])] = &[
     (
         "self_test",
         &[
+            "arithmetic",
             "campaign",
             "claim",
             "gates",
