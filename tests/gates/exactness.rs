@@ -2,7 +2,7 @@
 
 use polhode::record::ClaimName::Exact;
 use polhode::record::Ruling::{Broken, Fail, Inconclusive, NotApplicable, Pass};
-use polhode::record::{PointRun, Ruling};
+use polhode::record::{Ladder, PointRun, Ruling};
 use polhode::schemes::{Claim, Quantity, When};
 
 use super::case::{FLOOR, Made, ROUNDING, RUNS, numbers, power};
@@ -138,4 +138,25 @@ fn the_momentum_of_the_points_may_change_by_the_rounding_of_its_sums() {
     assert_eq!([ruling(bound + 0.99e-12, 1e-12), ruling(bound + 1.01e-12, 1e-12)], [Pass, Fail]);
     assert_eq!(at(Quantity::AngularMomentum, None, 0.0).quantities(Exact), ["angular-momentum"]);
     assert_eq!(at(Quantity::Velocity, Some(1.0), 0.0).quantities(Exact), ["velocity"]);
+}
+
+#[test]
+fn what_is_exact_in_double_double_may_round_in_f64_and_has_no_order_there() {
+    let one = |error: f64| std::array::from_fn::<f64, RUNS, _>(|run| if run == 3 { error } else { 0.0 });
+    let rounds = turn(&one(2.0 * FLOOR), ROUNDING);
+    let second = turn(&power(2.0), ROUNDING);
+    for (error, of_rounding, of_order) in [(0.0, Pass, Fail), (1e-29, Pass, Fail), (1e-20, Fail, Fail)] {
+        let finer = turn(&one(error), 1e-30).evidence.ladder;
+        for (made, expected) in [(&rounds, of_rounding), (&second, of_order)] {
+            let mut made = made.clone();
+            made.evidence.exactness = Some(Ladder { double_double: true, ..finer.clone() });
+            assert_eq!(made.ruling(Exact, "orientation"), expected, "{error}");
+        }
+    }
+    // Of one run that came to its end nothing is decided: f64 decides.
+    let mut made = turn(&[0.0; RUNS], ROUNDING);
+    let mut finer = turn(&one(1e-20), 1e-30).evidence.ladder;
+    finer.rungs = vec![finer.rungs[3].clone()];
+    made.evidence.exactness = Some(Ladder { double_double: true, ..finer });
+    assert_eq!(made.ruling(Exact, "orientation"), Pass);
 }

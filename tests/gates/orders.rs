@@ -4,7 +4,7 @@ use polhode::gates::Baseline;
 use polhode::internals::measure::{Asked, Decision, Doubt, decide};
 use polhode::record::ClaimName::{Constant, Converges, Order, Run, Start};
 use polhode::record::Ruling::{self, Broken, Fail, Inconclusive, NotApplicable, Pass};
-use polhode::record::Verdict;
+use polhode::record::{Ladder, Verdict};
 use polhode::scenes;
 use polhode::schemes::{Claim, Quantity, When};
 
@@ -320,4 +320,31 @@ fn the_error_of_every_run_is_that_on_record_to_a_half_of_it() {
     assert_eq!([at(&exact, 0.25, 0.0), at(&exact, 0.25, 1.0)], [vec![], vec![Fail]]);
     assert_eq!(at(&second.clone().broken(0), 1.0, 1.0), [Fail]);
     assert_eq!(at(&second.broken(0), 0.5, 0.25), []);
+}
+
+#[test]
+fn an_order_that_f64_leaves_open_is_decided_in_double_double() {
+    let sixth = |order, rounding| {
+        Made::new("kovalevskaya", &[Claim::Order(6)]).with_errors(POSITION, &power(order), rounding)
+    };
+    // Three errors of order 6 stand clear of this rounding, and the rule needs four.
+    let mut made = sixth(6.0, 1e-6);
+    assert_eq!(made.ruling(Order, "position"), Inconclusive);
+    for (order, expected) in [(6.0, Pass), (7.0, Pass), (5.0, Fail)] {
+        let finer = Ladder { double_double: true, ..sixth(order, 0.0).evidence.ladder };
+        made.evidence.precise = Some(finer);
+        assert_eq!(made.ruling(Order, "position"), expected, "{order}");
+    }
+    // Where f64 decides, nothing else is asked.
+    made.evidence.ladder = sixth(6.0, ROUNDING).evidence.ladder;
+    assert_eq!(made.ruling(Order, "position"), Pass);
+    // The unit of double-double is that of a step: errors that f64 rounds away count.
+    let small: Vec<f64> = power(6.0).map(|error| 1e-16 * error).to_vec();
+    let tiny =
+        Made::new("kovalevskaya", &[Claim::Order(6)]).with_errors(POSITION, &small, 0.0).evidence.ladder;
+    let decided = |double_double| {
+        let ladder = Ladder { double_double, ..tiny.clone() };
+        matches!(decide(&Asked::of(&ladder, POSITION)), Decision::Order(found) if found.order == 6)
+    };
+    assert_eq!([false, true].map(decided), [false, true]);
 }
