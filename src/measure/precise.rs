@@ -9,6 +9,7 @@ use super::ladder::{Truth, measured};
 use super::order::{Asked, Decision, decide};
 use crate::arithmetic::{DoubleDouble, Real};
 use crate::claim::Claim;
+use crate::model::body::{Body, MassPoint, inertia_of};
 use crate::model::{PerQuantity, Quantity, Snapshot, System};
 use crate::record;
 use crate::reference::precise;
@@ -53,7 +54,7 @@ impl<'a> Precise<'a> {
         Some(Precise {
             contestant,
             truth,
-            system: System::of(truth.system).ok()?,
+            system: as_given(truth.system)?,
             samples,
             states: moments.iter().map(|moment| snapshot(moment)).collect(),
             uncertainty: moments.iter().fold(PerQuantity::all(0.0), |most, moment| most.max(moment.error)),
@@ -136,6 +137,22 @@ impl<'a> Precise<'a> {
         }
         rung
     }
+}
+
+/// A system with its mass points as f64 has them, as the truth takes them; `None` where double-double does not hold its numbers.
+fn as_given(given: &System) -> Option<System<DoubleDouble>> {
+    let system = System::<DoubleDouble>::of(given).ok()?;
+    let exact = |p: &MassPoint| MassPoint {
+        mass: DoubleDouble::exact(p.mass),
+        position: p.position.map(DoubleDouble::exact),
+    };
+    let points: Vec<MassPoint<DoubleDouble>> = given.body.points.iter().map(exact).collect();
+    if system.body.points == points {
+        return Some(system);
+    }
+    let by_points = inertia_of(&given.body.points) == given.body.inertia;
+    let body = if by_points { system.body.made_of(points) } else { Body { points, ..system.body.clone() } };
+    Some(system.with_body(body, system.forces.laws().to_vec()))
 }
 
 /// The states of these places.
