@@ -17,7 +17,9 @@ use crate::rotation;
 use crate::simulate::{Contestant, Form, Plan};
 
 /// Most evaluations and iterations of a run of a ladder.
-const MOST_WORK: u64 = 1 << 15;
+const MOST_WORK: u64 = 1 << 16;
+/// Steps of the coarsest run, at most: over a longer motion a ladder ends at an earlier sample time.
+const MOST_COARSEST: u64 = 128;
 /// Fewest runs of a ladder.
 const FEWEST_RUNGS: usize = 6;
 /// Runs that show whether a quantity is exact, each of half the step of the last, …
@@ -69,12 +71,14 @@ impl<'a> Precise<'a> {
         if order == 0 || open.is_empty() {
             return None;
         }
-        let times = self.samples.iter().map(|index| self.truth.time(*index)).collect();
+        let (end, intervals) = (self.end(*steps.first()?), self.truth.intervals());
+        let samples: Vec<usize> = self.samples.iter().copied().filter(|index| *index <= end).collect();
+        let times = samples.iter().map(|index| self.truth.time(*index)).collect();
         let mut ladder = self.ladder(own, times);
         let mut before = Vec::new();
         for steps in steps.iter().copied() {
-            let plan = Plan::over(self.truth.duration(), steps, self.truth.intervals());
-            let rung = self.run(&plan, &self.samples, &self.states);
+            let plan = Plan::over(self.truth.time(end), steps * end as u64 / intervals, end as u64);
+            let rung = self.run(&plan, &samples, &self.states[..samples.len()]);
             let work = rung.evaluations + rung.iterations;
             ladder.rungs.push(rung);
             let now: Vec<Decision> = open.iter().map(|of| decide(&Asked::of(&ladder, *of))).collect();
@@ -86,6 +90,15 @@ impl<'a> Precise<'a> {
             before = now;
         }
         Some(ladder)
+    }
+
+    /// The interval that ends a ladder whose coarsest run over the whole motion has so many steps: the last, or that of a quarter of the
+    /// quarter … of the duration.
+    fn end(&self, coarsest: u64) -> usize {
+        let intervals = self.truth.intervals();
+        let fits = |end: &u64| coarsest * end / intervals <= MOST_COARSEST;
+        let mut quarters = std::iter::successors(Some(intervals), |end| (end % 4 == 0).then_some(end / 4));
+        quarters.find(fits).unwrap_or(1) as usize
     }
 
     /// Runs to the first sample time, about one turn, from steps of the size that the ladder in f64 begins with; `coarsest` is the steps of
