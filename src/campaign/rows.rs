@@ -177,8 +177,8 @@ pub(super) fn orders(names: &Names, evidence: &Evidence) -> Vec<Order> {
 
 /// What the rule of orders says of a quantity.
 fn order(names: &Names, evidence: &Evidence, quantity: Quantity) -> Order {
-    let (ladder, claimed) = (&evidence.ladder, evidence.order());
-    let (decision, finer) = decide_either(ladder, evidence.precise.as_ref(), (quantity, claimed));
+    let ladder = &evidence.ladder;
+    let (decision, finer) = decide_either(ladder, evidence.precise.as_ref(), quantity);
     let asked = Asked::of(finer.unwrap_or(ladder), quantity);
     let last = asked.runs.last();
     let mut row = Order {

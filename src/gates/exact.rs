@@ -39,7 +39,7 @@ fn worst(asked: &Asked) -> Option<(f64, f64)> {
     whole.max_by(|a, b| (a.0 / a.1).total_cmp(&(b.0 / b.1)))
 }
 
-/// The runs in double-double where there are any, unless those in f64 fall with an order or converge elsewhere.
+/// The runs in double-double where there are any, unless an error in f64 is above its rounding: a defect of that code alone is one.
 fn judge_ladder(evidence: &Evidence, quantity: Quantity) -> Verdict {
     let unit = quantity.unit();
     let rule = |ruling, detail| ruled(evidence, ClaimName::Exact, quantity.name(), ruling, detail);
@@ -52,13 +52,11 @@ fn judge_ladder(evidence: &Evidence, quantity: Quantity) -> Verdict {
     // Of a single run nothing is decided: the others broke, where their steps are too large for an iteration.
     let precise =
         precise.filter(|(_, found)| !matches!(found, Decision::Undecided(Doubt::FewRuns { whole: 0 | 1 })));
-    let found = decide(&own);
-    let is_wrong = matches!(found, Decision::Order(_) | Decision::Elsewhere { .. });
-    let ((error, floor), decision, beside) = match precise.filter(|_| !is_wrong) {
+    let ((error, floor), decision, beside) = match precise.filter(|_| own_error <= own_floor) {
         Some((sizes, found)) => {
             (sizes, found, format!(" in double-double; rounding in f64 {own_error:.1e} {unit}"))
         }
-        None => ((own_error, own_floor), found, String::new()),
+        None => ((own_error, own_floor), decide(&own), String::new()),
     };
     let (ruling, remark) = match decision {
         Decision::Exact => (Ruling::Pass, String::new()),

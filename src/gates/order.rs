@@ -34,24 +34,25 @@ pub(super) fn judge(evidence: &Evidence, baseline: &Baseline) -> Vec<Verdict> {
     }
     let judged = Quantity::ALL.into_iter().filter(|quantity| !does_not_turn(evidence, *quantity));
     let decide = |quantity| {
-        let asked = (quantity, evidence.order());
-        let (decision, finer) = decide_either(&evidence.ladder, evidence.precise.as_ref(), asked);
+        let (decision, finer) = decide_either(&evidence.ladder, evidence.precise.as_ref(), quantity);
         (quantity, decision, finer.is_some())
     };
     let decided: Vec<(Quantity, Decision, bool)> = judged.map(decide).collect();
     let mut verdicts: Vec<Verdict> = Vec::new();
     for (quantity, decision, precise) in &decided {
-        let first = verdicts.len();
         verdicts.extend(judge_start(evidence, *quantity).filter(|_| evidence.program));
+        let first = verdicts.len();
         // An order that is judged says whether the runs converge.
         let order = judge_order(evidence, *quantity, decision);
         verdicts.push(order.unwrap_or_else(|| judge_convergence(evidence, *quantity, decision)));
-        verdicts.extend(judge_jump(evidence, *quantity, decision));
-        verdicts.extend(judge_odd(evidence, *quantity, decision).filter(|_| !precise));
         verdicts.extend(judge_constant(evidence, *quantity, decision, baseline));
         if *precise {
             verdicts[first..].iter_mut().for_each(|verdict| verdict.detail += ", in double-double");
         }
+        // Both are of the runs in f64, whose order double-double does not tell.
+        let of_f64 = if *precise { None } else { Some(decision) };
+        verdicts.extend(judge_jump(evidence, *quantity, of_f64));
+        verdicts.extend(of_f64.and_then(|decision| judge_odd(evidence, *quantity, decision)));
         verdicts.extend(judge_record(evidence, *quantity, baseline));
     }
     if let Some(reason) = &evidence.setting.not_for_order {
@@ -139,8 +140,8 @@ fn judge_convergence(evidence: &Evidence, quantity: Quantity, decision: &Decisio
 
 /// A fall of an error from one run to the next that the order does not explain: named above [`NAMED`], and a failure where the error vanishes
 /// into its rounding from more than the highest order makes of a halving. An error of the size of the motion falls as it likes.
-fn judge_jump(evidence: &Evidence, quantity: Quantity, decision: &Decision) -> Option<Verdict> {
-    let order = if let Decision::Order(found) = decision { found.order } else { HIGHEST };
+fn judge_jump(evidence: &Evidence, quantity: Quantity, decision: Option<&Decision>) -> Option<Verdict> {
+    let order = if let Some(Decision::Order(found)) = decision { found.order } else { HIGHEST };
     let asked = Asked::of(&evidence.ladder, quantity);
     let samples = asked.times.len();
     let fall = |pair: &[Run]| {

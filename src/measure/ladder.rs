@@ -309,6 +309,11 @@ fn floors(ladder: &record::Ladder, rung: &record::Rung) -> PerQuantity<Reading> 
     })
 }
 
+/// How far the first state of a run may be from the start of the scene: what its arithmetic and its digits allow.
+pub fn start_allows(ladder: &record::Ladder, quantity: Quantity) -> f64 {
+    CLEAR * (ladder.arithmetic + ladder.printed) * ladder.sizes[quantity]
+}
+
 /// The digits that the evidence keeps: all of them where runs converge to another motion, which their small differences show.
 pub(super) fn shortened(ladder: &mut record::Ladder) {
     let goes_elsewhere =

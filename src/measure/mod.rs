@@ -28,12 +28,11 @@ pub(crate) use climb::climb;
 pub(crate) use drift::energy_drift;
 pub(crate) use flips::{FlipFinder, flips, true_flips, tumbling_axis};
 pub(crate) use invariance::other_worlds;
-pub(crate) use ladder::between;
 pub use ladder::{Climbed, Rung};
-pub(crate) use order::{
-    Asked, BELOW, Decision, Doubt, HIGHEST, Order, Run, decide, decide_either, start_allows,
-};
+pub(crate) use ladder::{between, start_allows};
+pub(crate) use order::{Asked, BELOW, Decision, Doubt, HIGHEST, Order, Run, decide};
 pub(crate) use points::point_run;
+pub(crate) use precise::decide_either;
 pub(crate) use reversal::reversal;
 pub(crate) use symplecticity::symplecticity;
 
