@@ -228,7 +228,10 @@ fn judge_odd(evidence: &Evidence, quantity: Quantity, decision: &Decision) -> Op
     };
     let wrong = |rung: &&Rung| {
         let odd = Run::of(rung, quantity, &ladder.arms);
-        let floor = asked.floor(&odd, 1).max(rung.solves as f64 * SOLVED_TO * asked.scale);
+        // A composition rounds the state in each of its parts, of which an evaluation is one; the parts of a step are many.
+        let of_parts = f64::EPSILON * rung.evaluations as f64 * asked.scale;
+        let of_solves = rung.solves as f64 * SOLVED_TO * asked.scale;
+        let floor = asked.floor(&odd, 1).max(of_parts).max(of_solves);
         let asked_for = rung.steps > MOST_GIANT || promised_exact(evidence, quantity);
         whole && asked_for && rung.broken.is_none() && floor <= BELOW * asked.scale && off(&odd) > Some(floor)
     };

@@ -23,7 +23,7 @@ const MOST_STEPS: u64 = 1 << 17;
 const MOST_HALVINGS: u32 = 10;
 /// Least order that has a run between any two halvings: few of them lie between errors of the size of the motion and rounding.
 const HIGH_ORDER: u32 = 6;
-/// Evaluations of a run of an adaptive solver after which the ladder ends, …
+/// Evaluations of a run of an adaptive solver after which a ladder of [`FEWEST_RUNGS`] ends, …
 const MOST_EVALUATIONS: u64 = 60_000;
 /// … and its tolerances: none is looser, and solvers in f64 fail below.
 const TOLERANCE: std::ops::RangeInclusive<f64> = 1e-12..=0.1;
@@ -34,7 +34,9 @@ const GIANT_STEPS: [u64; 4] = [1, 3, 5, 7];
 /// it, as in a scene that carries no order, the ladder does not.
 pub fn climb(contestant: &Contestant, system: &System, reference: &Reference, order: Option<u32>) -> Climbed {
     let phase = phase(system, reference);
-    let truth = Truth::new(system, reference, quarters(reference, phase));
+    // Sample times cut the steps of a solver that chooses them: it is asked at the end.
+    let quarters = if contestant.chooses_steps() { 0 } else { quarters(reference, phase) };
+    let truth = Truth::new(system, reference, quarters);
     let mut climbed = Climbed {
         model: contestant.model(system),
         ladder: truth.ladder(),
@@ -136,7 +138,8 @@ fn is_done(contestant: &Contestant, climbed: &Climbed, order: Option<u32>, preci
     let at_rounding = Quantity::ALL.into_iter().all(exact);
     let decided_or_rounding = |quantity| decided(quantity) || (precise && exact(quantity));
     if contestant.chooses_steps() {
-        return finest.evaluations > MOST_EVALUATIONS || at_rounding;
+        let is_enough = climbed.rungs.len() >= FEWEST_RUNGS && finest.evaluations > MOST_EVALUATIONS;
+        return is_enough || at_rounding;
     }
     let is_fine = climbed.rungs.len() >= FEWEST_RUNGS && (finest.steps >= FINE || at_rounding);
     is_fine && (order.is_none() || at_rounding || Quantity::ALL.into_iter().all(decided_or_rounding))

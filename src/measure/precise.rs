@@ -181,16 +181,19 @@ pub fn decide_either<'a>(
 /// Whether runs of the same step differ by no more than the floor of the one in f64: a defect of that code alone shows here.
 fn differ_by_rounding(own: &Ladder, finer: &Ladder, quantity: Quantity) -> bool {
     let (own, finer) = (Asked::of(own, quantity), Asked::of(finer, quantity));
-    let samples = finer.times.len();
+    let place = |time: &f64| own.times.iter().position(|own| own == time);
+    let places: Vec<usize> = finer.times.iter().filter_map(place).collect();
     let alike = |run: &Run| {
         let of_f64 = own.runs.iter().find(|own| own.step == run.step);
         let Some(of_f64) = of_f64.filter(|own| !own.errors.is_empty() && !run.errors.is_empty()) else {
             return true;
         };
-        let apart = of_f64.errors.iter().zip(&run.errors).map(|(own, finer)| own - finer);
-        length(&apart.collect::<Vec<_>>()) <= own.floor(of_f64, samples)
+        let components = run.errors.len() / places.len();
+        let errors = places.iter().flat_map(|place| of_f64.errors.chunks(components).nth(*place));
+        let apart = errors.flatten().zip(&run.errors).map(|(own, finer)| own - finer);
+        length(&apart.collect::<Vec<_>>()) <= own.floor(of_f64, places.last().map_or(0, |last| last + 1))
     };
-    own.times.starts_with(finer.times) && finer.runs.iter().all(alike)
+    places.len() == finer.times.len() && finer.runs.iter().all(alike)
 }
 
 /// The system that the truth is of: a body given by mass points is the sum of them, and laws act on the points as f64 has them. `None` where

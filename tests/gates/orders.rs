@@ -327,16 +327,20 @@ fn an_order_that_f64_leaves_open_is_decided_in_double_double() {
     let sixth = |order, rounding| {
         Made::new("kovalevskaya", &[Claim::Order(6)]).with_errors(POSITION, &power(order), rounding)
     };
-    // Three errors of order 6 stand clear of this rounding, and the rule needs four.
-    let mut made = sixth(6.0, 1e-6);
-    assert_eq!(made.ruling(Order, "position"), Inconclusive);
+    let finer = |order| Some(Ladder { double_double: true, ..sixth(order, 0.0).evidence.ladder });
+    // Two errors of order 6 stand clear of this rounding, and the rule needs four.
     for (order, expected) in [(6.0, Pass), (7.0, Pass), (5.0, Fail)] {
-        let finer = Ladder { double_double: true, ..sixth(order, 0.0).evidence.ladder };
-        made.evidence.precise = Some(finer);
+        let mut made = sixth(order, 1e-4);
+        assert_eq!(made.ruling(Order, "position"), Inconclusive, "{order}");
+        made.evidence.precise = finer(order);
         assert_eq!(made.ruling(Order, "position"), expected, "{order}");
+        // Runs in f64 that differ by more than rounding have another error.
+        made.evidence.precise = finer(order - 2.0);
+        assert_eq!(made.ruling(Order, "position"), Inconclusive, "{order}");
     }
+    let mut made = sixth(6.0, ROUNDING);
+    made.evidence.precise = finer(5.0);
     // Where f64 decides, nothing else is asked.
-    made.evidence.ladder = sixth(6.0, ROUNDING).evidence.ladder;
     assert_eq!(made.ruling(Order, "position"), Pass);
     // The unit of double-double is that of a step: errors that f64 rounds away count.
     let small: Vec<f64> = power(6.0).map(|error| 1e-16 * error).to_vec();
