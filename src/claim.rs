@@ -124,6 +124,14 @@ words! {
         Solves = "solves",
         /// The error constant on record.
         Constant = "constant",
+        /// The order on record.
+        OrderOnRecord = "order-on-record",
+        /// The error of every run of the same step on record.
+        ErrorOnRecord = "error-on-record",
+        /// The drift of the energy on record.
+        DriftOnRecord = "drift-on-record",
+        /// Evaluations of the forces in every run of the same step on record.
+        WorkOnRecord = "work-on-record",
         /// Runs that converge to the truth, in every scene.
         #[serde(alias = "consistency")]
         Converges = "converges",
@@ -139,6 +147,79 @@ words! {
         ReferencesAgree = "references-agree",
         /// The conventions of a trajectory file.
         Frames = "frames",
+    }
+}
+
+impl ClaimName {
+    /// The rule by which it is judged, in a sentence.
+    pub fn explained(self) -> &'static str {
+        match self {
+            ClaimName::Order => {
+                "The error of each quantity falls with at least the claimed order as h is halved, and with exactly that order in generic scenes."
+            }
+            ClaimName::OrderWithoutTorque => "The order that a scheme has in scenes without torque.",
+            ClaimName::FollowsTolerance => {
+                "The error of a solver that chooses its steps falls with the tolerance as its card says."
+            }
+            ClaimName::Exact => "The error of the quantity is at its rounding at every step.",
+            ClaimName::Energy => "The energy of a free body changes over a long run as the card says.",
+            ClaimName::VerticalMomentum => {
+                "L·g of a body on a pivot under uniform gravity changes by rounding only."
+            }
+            ClaimName::FlipTimes => {
+                "The flips of a tumbling body come at their exact times as h falls, and in their number."
+            }
+            ClaimName::Rigid => "Distances between points of the body change by rounding only.",
+            ClaimName::Reversible => {
+                "A run with -h from the end of a run with h returns to its start, to rounding."
+            }
+            ClaimName::Symplectic => "One step preserves the canonical two-form, to rounding.",
+            ClaimName::Equivariant => {
+                "Turned, mirrored, shifted and boosted worlds and other units give the same motion, to rounding."
+            }
+            ClaimName::Evaluations => "A step takes the number of force evaluations that the card says.",
+            ClaimName::Solves => "A step solves the number of implicit equations that the card says.",
+            ClaimName::Constant => {
+                "The error constant C of C h^p is within 1 % of the one on record, or within the tolerance of polhode.toml. It is not judged where the order differs."
+            }
+            ClaimName::OrderOnRecord => {
+                "The order is not below the one in the baseline, whatever the scheme claims today."
+            }
+            ClaimName::ErrorOnRecord => {
+                "The error of every run is that of the same step in the baseline, to a half, or to the tolerance of polhode.toml, and to rounding."
+            }
+            ClaimName::DriftOnRecord => {
+                "The drift of the energy is of no worse kind than in the baseline, and no rate is larger by more than a tenth."
+            }
+            ClaimName::WorkOnRecord => {
+                "No run takes more force evaluations than that of the same step in the baseline, to 1 %."
+            }
+            ClaimName::Converges => {
+                "The runs converge to the motion of the scene. Runs that converge to another motion fail, in every scene."
+            }
+            ClaimName::Start => {
+                "The first state of a run is the start of the scene, to the digits that are printed."
+            }
+            ClaimName::Reduction => "The least model and the mass points give the same motion, to rounding.",
+            ClaimName::Stability => "The limit of stability on a spring-held body is the one on record.",
+            ClaimName::Run => "Runs come to their end.",
+            ClaimName::ReferencesAgree => "The sources of a reference agree within their uncertainties.",
+            ClaimName::Frames => {
+                "A trajectory file follows the conventions for its axes that it is read with."
+            }
+        }
+    }
+
+    /// Whether it compares what was measured with what is on record.
+    pub fn is_on_record(self) -> bool {
+        matches!(
+            self,
+            ClaimName::Constant
+                | ClaimName::OrderOnRecord
+                | ClaimName::ErrorOnRecord
+                | ClaimName::DriftOnRecord
+                | ClaimName::WorkOnRecord
+        )
     }
 }
 

@@ -2,10 +2,12 @@
 
 use std::sync::Arc;
 
-use super::rows;
+use serde::{Deserialize, Serialize};
+
+use super::{against_time, rows};
 use crate::claim::Claim;
 use crate::gates::{self, Baseline};
-use crate::measure::{self, Climbed, Decision, Rung};
+use crate::measure::{self, Bounds, Climbed, Decision, Rung};
 use crate::model::Quantity;
 use crate::model::body::Shape;
 use crate::record::stability::LinearLimit;
@@ -26,6 +28,7 @@ const SERIES_SAMPLES: u64 = 128;
 const SERIES_STEPS: u64 = 256;
 
 /// The rows of a cell.
+#[derive(Clone, Serialize, Deserialize)]
 pub(super) struct Cell {
     pub(super) measurements: Vec<Measurement>,
     pub(super) orders: Vec<Order>,
@@ -40,13 +43,14 @@ pub(super) fn measure(
     scene: &Scene,
     reference: &Reference,
     contestant: &Contestant,
+    bounds: Bounds,
     baseline: &Baseline,
     series: bool,
 ) -> Cell {
     if let Some(reason) = contestant.refusal(&scene.system) {
         return refused(scene, contestant, &reason);
     }
-    let climbed = climb(scene, reference, contestant);
+    let climbed = climb(scene, reference, contestant, bounds);
     if let Some(reason) = climbed.refusal() {
         return refused(scene, contestant, reason);
     }
@@ -59,7 +63,11 @@ pub(super) fn measure(
         orders: rows::orders(&names, &evidence),
         drifts: evidence.drift.iter().map(|drift| rows::drift(&names, drift)).collect(),
         verdicts: gates::judge(&evidence, baseline),
-        series: if series { against_time(&names, scene, contestant, &climbed.rungs) } else { Vec::new() },
+        series: if series {
+            series_of(&names, (scene, reference), contestant, &climbed.rungs)
+        } else {
+            Vec::new()
+        },
         evidence: Arc::new(evidence),
     }
 }
@@ -128,11 +136,11 @@ pub(crate) fn unmeasured(scene: &Scene, contestant: &Contestant) -> Evidence {
 }
 
 /// The ladder of the order that the scheme claims in the scene, with the likeliest cause where a program solves another motion.
-fn climb(scene: &Scene, reference: &Reference, contestant: &Contestant) -> Climbed {
+fn climb(scene: &Scene, reference: &Reference, contestant: &Contestant, bounds: Bounds) -> Climbed {
     let (system, card) = (&scene.system, &contestant.card);
     let order = if system.torque_free() { card.order_without_torque() } else { card.order() };
     let order = scene.not_for_order.is_none().then_some(order);
-    let mut climbed = measure::climb(contestant, system, reference, order);
+    let mut climbed = measure::climb_within(contestant, system, reference, order, bounds);
     if contestant.is_foreign() && goes_elsewhere(&climbed) {
         let [finest, before] = &climbed.finest;
         let cause = cause::likeliest_cause(system, &climbed.truth, finest, before);
@@ -185,10 +193,16 @@ pub(super) fn refused(scene: &Scene, contestant: &Contestant, reason: &str) -> C
 }
 
 /// Energy and angular momentum against time, at a step that a user might take, the same for every scheme.
-fn against_time(names: &rows::Names, scene: &Scene, contestant: &Contestant, rungs: &[Rung]) -> Vec<Series> {
+fn series_of(
+    names: &rows::Names,
+    (scene, reference): (&Scene, &Reference),
+    contestant: &Contestant,
+    rungs: &[Rung],
+) -> Vec<Series> {
     let Some(coarsest) = rungs.first() else { return Vec::new() };
     let steps = coarsest.steps * SERIES_STEPS.div_ceil(coarsest.steps);
     let plan = Plan::over(scene.duration, steps, SERIES_SAMPLES);
     let run = contestant.run(&scene.system, Form::Least, &plan);
-    rows::series(names, &scene.system, plan.step, &run.states)
+    let run = against_time::Run { system: &scene.system, reference, step: plan.step, states: &run.states };
+    run.series(names)
 }

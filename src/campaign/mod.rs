@@ -4,7 +4,10 @@
 //! many give the same numbers to the last bit, timings aside.
 
 pub(crate) mod cell;
+mod against_time;
 mod costs;
+mod journal;
+mod motions;
 #[cfg(feature = "cli")]
 mod peers;
 mod reduction;
@@ -19,6 +22,7 @@ use rayon::prelude::*;
 
 use crate::gates::{self, Baseline};
 use crate::interrupt;
+use crate::measure::Bounds;
 use crate::record::{Machine, Records, ReferenceEvidence, SCHEMA};
 use crate::reference::{Reference, ReferenceError, stored};
 use crate::scenes::Scene;
@@ -26,6 +30,8 @@ use crate::simulate::Contestant;
 
 pub(crate) use cell::unmeasured;
 pub(crate) use costs::{SECONDS_A_COST, add_costs, typical_step};
+pub use journal::Journal;
+pub(crate) use motions::motion;
 #[cfg(feature = "cli")]
 pub(crate) use peers::add_peers;
 pub use scaling::Sizes;
@@ -44,6 +50,10 @@ pub struct Campaign<'a> {
     pub baseline: Baseline,
     /// Whether to keep quantities against time, for drawing.
     pub series: bool,
+    /// The bounds of the runs of a scheme in a scene.
+    pub bounds: &'a (dyn Fn(&str, &str) -> Bounds + Sync),
+    /// Finished cells on disk, where they are kept.
+    pub journal: Option<&'a Journal>,
     /// Called as (done, of all) after every piece of work.
     pub progress: &'a (dyn Fn(usize, usize) + Sync),
 }
@@ -58,7 +68,15 @@ struct Prepared<'a> {
 impl Campaign<'_> {
     /// A grid at its plainest: the constants of this version, nothing to draw, nobody to tell.
     pub fn of(scenes: Vec<Scene>, contestants: Vec<Contestant>) -> Campaign<'static> {
-        Campaign { scenes, contestants, baseline: Baseline::built_in(), series: false, progress: &|_, _| () }
+        Campaign {
+            scenes,
+            contestants,
+            baseline: Baseline::built_in(),
+            series: false,
+            bounds: &|_, _| Bounds::default(),
+            journal: None,
+            progress: &|_, _| (),
+        }
     }
 
     /// Measures and judges the whole grid, or what there was time for.
@@ -89,7 +107,23 @@ impl Campaign<'_> {
             return Some(cell::refused(prepared.scene, contestant, reason));
         }
         let reference = prepared.reference.as_ref()?.as_ref().ok()?;
-        Some(cell::measure(prepared.scene, reference, contestant, &self.baseline, self.series))
+        let bounds = (self.bounds)(&prepared.scene.name, contestant.card.name);
+        let measure =
+            || cell::measure(prepared.scene, reference, contestant, bounds, &self.baseline, self.series);
+        let Some(journal) = self.journal else { return Some(measure()) };
+        let (scene, card) = (prepared.scene, &contestant.card);
+        let known_as = contestant.program().map_or(String::new(), |program| program.name);
+        let what = (&scene.name, scene.content(), card.name, known_as, bounds, &card.claims, self.series);
+        let key = format!("{what:?}");
+        if let Some(known) = journal.find(&key) {
+            let verdicts = gates::judge(&known.evidence, &self.baseline);
+            return Some(cell::Cell { verdicts, ..known.clone() });
+        }
+        let cell = measure();
+        if !interrupt::requested() {
+            journal.add(key, &cell);
+        }
+        Some(cell)
     }
 
     fn records(&self, scenes: Vec<(Prepared, Vec<Option<cell::Cell>>)>) -> Records {

@@ -3,16 +3,15 @@
 use crate::claim::Claim;
 use crate::measure::drift::rate_order;
 use crate::measure::{self, Asked, Decision, Doubt, Metric, Reading, Rung, decide_either};
-use crate::model::{Quantity, Snapshot, System, sizes};
+use crate::model::{Quantity, sizes};
 use crate::record::stability::Stability;
 use crate::record::{
     Drift, EnergyDrift, EnergyRung, EngineRow, Evidence, Measurement, Order, OrderStatus, ReferenceEvidence,
-    ReferenceRow, RunStatus, SceneRow, SchemeRow, Series, TIME_DIGITS, to_digits,
+    ReferenceRow, RunStatus, SceneRow, SchemeRow, to_digits,
 };
 use crate::reference::Reference;
-use crate::rotation;
 use crate::scenes::Scene;
-use crate::schemes::Card;
+use crate::schemes::{self, Card};
 use crate::simulate::{Contestant, Outcome, Program};
 
 /// Whose rows they are.
@@ -32,6 +31,7 @@ pub(super) fn scheme(card: &Card) -> SchemeRow {
         claims: card.claims.iter().map(Claim::to_string).collect(),
         source: card.source.to_owned(),
         apart: false,
+        look: schemes::look(card.name),
         fails_where: Stability::built_in().line(card.name).map(str::to_owned),
     }
 }
@@ -62,6 +62,7 @@ pub(super) fn scene(
     SceneRow {
         name: scene.name.clone(),
         content: scene.content(),
+        file: scene.file.clone(),
         title: scene.title.clone(),
         why: scene.why.clone(),
         duration_s: scene.duration,
@@ -104,8 +105,6 @@ pub(super) fn measurements(names: &Names, rungs: &[Rung], own_clock: bool) -> Ve
 
 /// Digits of a value in a row, …
 const VALUE_DIGITS: usize = 7;
-/// … of a value against time, which is drawn, …
-const SERIES_DIGITS: usize = 5;
 /// … of a cost, which differs from run to run, …
 pub(super) const COST_DIGITS: usize = 4;
 /// … and of an uncertainty.
@@ -267,54 +266,6 @@ pub(super) fn drift_rates(names: &Names, drift: &EnergyDrift) -> Vec<Measurement
             ]
         })
         .collect()
-}
-
-/// Energy, |L| and the direction of L against time, as changes from the start.
-pub(super) fn series(names: &Names, system: &System, step: f64, states: &[Snapshot]) -> Vec<Series> {
-    let Some(first) = states.first() else { return Vec::new() };
-    let momentum = rotation::length(&first.angular_momentum);
-    let rotational = system.rotational_energy(first);
-    let total = |s: &Snapshot| Some(system.kinetic_energy(s) + system.potential_energy(s)?);
-    let mut rows = Vec::new();
-    let mut push = |quantity: &str, unit: &str, value: Vec<f64>| {
-        if !value.is_empty() && value.iter().all(|v| v.is_finite()) {
-            rows.push(Series {
-                scene: names.scene.to_owned(),
-                scheme: names.scheme.to_owned(),
-                step_s: step,
-                quantity: quantity.to_owned(),
-                unit: unit.to_owned(),
-                time_s: states.iter().map(|s| to_digits(s.time, TIME_DIGITS)).collect(),
-                value: value.into_iter().map(|value| to_digits(value, SERIES_DIGITS)).collect(),
-            });
-        }
-    };
-    if rotational > 0.0 {
-        push(
-            "rotational-energy",
-            "1",
-            states.iter().map(|s| system.rotational_energy(s) / rotational - 1.0).collect(),
-        );
-    }
-    if let Some(total_first) = total(first)
-        && system.forces.conservative()
-        && !system.forces.laws().is_empty()
-    {
-        let scale = states.iter().map(|s| system.kinetic_energy(s)).fold(0.0, f64::max);
-        if scale > 0.0 {
-            let change = states.iter().filter_map(|s| Some((total(s)? - total_first) / scale)).collect();
-            push("total-energy", "1", change);
-        }
-    }
-    if momentum > 0.0 {
-        let magnitude =
-            states.iter().map(|s| rotation::length(&s.angular_momentum) / momentum - 1.0).collect();
-        push("angular-momentum-magnitude", "1", magnitude);
-        let direction =
-            |s: &Snapshot| rotation::angle_between_directions(&s.angular_momentum, &first.angular_momentum);
-        push("angular-momentum-direction", "rad", states.iter().map(direction).collect());
-    }
-    rows
 }
 
 /// A value as a row has it.

@@ -1,17 +1,13 @@
-//! How cost grows: a step with the mass points of the body, a campaign with its cells and its threads.
-
-use std::time::Instant;
+//! How the cost of a step grows with the mass points of the body.
 
 use nalgebra::Vector3;
 
-use super::Campaign;
 use crate::interrupt;
 use crate::model::body::{Body, MassPoint};
 use crate::model::forces::{Drag, Law, PerPoint};
 use crate::model::{Spin, System};
 use crate::record::{Grows, Records, ScalingRow};
 use crate::rotation::Rotation;
-use crate::scenes::Scene;
 use crate::simulate::{Contestant, Form};
 use crate::study::cost::{self, Course};
 
@@ -22,33 +18,24 @@ const STEP: f64 = 0.01;
 /// Most mass points, and of a full report: there a run holds some hundred megabytes.
 const MOST_POINTS: usize = 100_000;
 const MOST_POINTS_IN_FULL: usize = 1_000_000;
-/// Scenes that campaigns are made of, free bodies whose cells cost about the same, and how many of them.
-const SCENES: [&str; 4] = ["free-asymmetric", "free-oblate", "euler-top-unit", "thin-body"];
-const CAMPAIGNS: [usize; 3] = [1, 2, 4];
-/// Schemes of each campaign, and of those of a full report.
-const SCHEMES: usize = 2;
-const SCHEMES_IN_FULL: usize = 12;
-
 /// The sizes that costs are measured against.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sizes {
-    /// Up to 100,000 mass points, and campaigns of two schemes.
+    /// Up to 100,000 mass points.
     Usual,
-    /// Up to 1,000,000 mass points, and campaigns of twelve schemes.
+    /// Up to 1,000,000 mass points.
     Full,
 }
 
 /// Measures how cost grows and puts it into the records. To be called while nothing else runs.
 pub(super) fn add_scaling(records: &mut Records, sizes: Sizes) {
-    let (points, schemes) = match sizes {
-        Sizes::Usual => (MOST_POINTS, SCHEMES),
-        Sizes::Full => (MOST_POINTS_IN_FULL, SCHEMES_IN_FULL),
+    let most = match sizes {
+        Sizes::Usual => MOST_POINTS,
+        Sizes::Full => MOST_POINTS_IN_FULL,
     };
-    let contestants = Contestant::main();
-    if let Some(first) = contestants.first() {
-        records.scaling.extend(with_points(first, points));
+    if let Some(first) = Contestant::main().first() {
+        records.scaling.extend(with_points(first, most));
     }
-    records.scaling.extend(with_cells(&contestants[..schemes.min(contestants.len())]));
 }
 
 /// A helix of equal mass points: no two moments equal, nothing aligned. One point alone does not turn, two are a rod.
@@ -99,38 +86,6 @@ fn with_points(contestant: &Contestant, most: usize) -> Vec<ScalingRow> {
 fn next(count: usize) -> usize {
     let power = 10usize.pow((count as f64).log10().floor() as u32);
     if count < 3 * power { 3 * power } else { 10 * power }
-}
-
-/// Time of whole campaigns against their cells, on one thread and on more.
-fn with_cells(contestants: &[Contestant]) -> Vec<ScalingRow> {
-    let most = rayon::current_num_threads();
-    let mut threads = vec![1];
-    while threads.last().is_some_and(|last| 2 * last <= most) {
-        threads.push(2 * threads[threads.len() - 1]);
-    }
-    let mut rows = Vec::new();
-    for count in CAMPAIGNS {
-        let scenes: Vec<Scene> = SCENES[..count].iter().filter_map(|name| Scene::find(name).ok()).collect();
-        for threads in &threads {
-            let campaign = Campaign::of(scenes.clone(), contestants.to_vec());
-            let Ok(pool) = rayon::ThreadPoolBuilder::new().num_threads(*threads).build() else { continue };
-            if interrupt::requested() {
-                break;
-            }
-            let begun = Instant::now();
-            pool.install(|| campaign.run());
-            rows.push(ScalingRow {
-                what: Grows::Cells,
-                scheme: String::new(),
-                form: String::new(),
-                threads: *threads,
-                size: (scenes.len() * contestants.len()) as u64,
-                value: begun.elapsed().as_secs_f64(),
-                unit: "s".to_owned(),
-            });
-        }
-    }
-    rows
 }
 
 #[cfg(test)]

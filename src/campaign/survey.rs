@@ -1,9 +1,12 @@
 //! All that a report shows: a campaign, and what is measured beside it.
 
+use super::motions::add_motions;
 use super::reduction::add_reductions;
 use super::scaling::{Sizes, add_scaling};
 use super::{Campaign, SECONDS_A_COST, add_costs};
 use crate::record::Records;
+#[cfg(feature = "cli")]
+use crate::record::Request;
 use crate::scenes::{self, Scene};
 use crate::schemes;
 use crate::simulate::Contestant;
@@ -31,6 +34,8 @@ pub struct Survey<'a> {
     pub published: bool,
     /// Whether the main schemes are measured in single, double and double-double precision.
     pub precision: bool,
+    /// Whether steps are timed.
+    pub timed: bool,
     /// Called as (task, done, of all) after every piece of work.
     pub progress: &'a (dyn Fn(Task, usize, usize) + Sync),
 }
@@ -67,6 +72,7 @@ impl Survey<'_> {
             sizes: None,
             published: false,
             precision: false,
+            timed: true,
             progress: &|_, _, _| (),
         }
     }
@@ -86,11 +92,25 @@ impl Survey<'_> {
         if self.every_scheme {
             self.add_every_scheme(&mut records);
         }
+        add_motions(&mut records, &self.scenes, &self.contestants);
         self.add_peers(&mut records);
         self.add_published(&mut records);
         self.add_precision(&mut records);
-        self.add_times(&mut records);
+        if self.timed {
+            self.add_times(&mut records);
+        }
         records
+    }
+
+    /// What is asked for, as a capsule has it.
+    #[cfg(feature = "cli")]
+    pub fn request(&self) -> Request {
+        Request {
+            schemes: self.contestants.iter().map(|one| one.card.name.to_owned()).collect(),
+            every_scheme: self.every_scheme,
+            published: self.published,
+            precision: self.precision,
+        }
     }
 
     fn measure(&self, grid: Campaign) -> Records {

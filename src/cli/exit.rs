@@ -56,9 +56,17 @@ pub enum Failure {
     /// A robot description.
     #[error(transparent)]
     Inspect(#[from] InspectError),
+    /// Settings, every fault of the file.
+    #[error("{}", lines(.0))]
+    Config(Vec<FileError>),
     /// A scene that has no point form, asked for one.
     #[error("{0}")]
     Model(String),
+}
+
+/// An error a line.
+fn lines(errors: &[FileError]) -> String {
+    errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
 }
 
 impl Failure {
@@ -72,7 +80,10 @@ impl Failure {
             | Failure::Judge(FileError::Unreadable { .. })
             | Failure::Inspect(InspectError::File(FileError::Unreadable { .. })) => FILE,
             Failure::Inspect(_) | Failure::Judge(FileError::Content { .. }) => BAD_INPUT,
-            Failure::Scene(_) | Failure::Record(RecordError::Format { .. }) | Failure::Model(_) => BAD_INPUT,
+            Failure::Scene(_)
+            | Failure::Record(RecordError::Format { .. })
+            | Failure::Model(_)
+            | Failure::Config(_) => BAD_INPUT,
             Failure::Record(RecordError::File { .. } | RecordError::Foreign { .. })
             | Failure::Report(_)
             | Failure::Write { .. } => FILE,

@@ -1,40 +1,66 @@
 //! `polhode judge`: a trajectory that another program wrote.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use clap::{Args, ValueEnum};
 use comfy_table::{ContentArrangement, Table, presets};
 
 use super::Failure;
+use super::exit::UNDECIDED;
 use super::output::{Force, print};
-use crate::log::{self, Convention, Judgement};
+use crate::log::{self, AngleUnit, Columns, FileError, Judgement, Request, Said, Sequence, Series, TimeUnit};
 use crate::model::Quantity;
-use crate::record::{self, Records, SCHEMA};
+use crate::record::{self, Records, Ruling, SCHEMA};
+use crate::report::line_chart::{Line, LineChart, LinePanel};
 use crate::scenes::Scene;
 
 /// Options of `polhode judge`.
 #[derive(Args, Clone, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Options {
-    /// CSV with a header t,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz; columns may be missing, more are ignored
-    #[arg(value_name = "LOG.csv")]
-    log: PathBuf,
+    /// Table of numbers with a header, as t,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz; columns may be missing, more are ignored
+    #[arg(value_name = "LOG", required = true)]
+    logs: Vec<PathBuf>,
     /// Scene that it is a run of: a built-in name or a TOML file
     #[arg(long, value_name = "X")]
     scene: String,
-    /// Axes of wx, wy, wz
-    #[arg(long, value_enum, value_name = "AXES", default_value_t = Axes::World)]
-    angular_velocity: Axes,
-    /// What the quaternion takes to what
-    #[arg(long, value_enum, value_name = "SENSE", default_value_t = Sense::BodyToWorld)]
-    quaternion: Sense,
+    /// Which column is what: pairs as t=stamp,qw=q_w (a name or a number from 1), or a list as t,x,y,z,-,qw,qx,qy,qz
+    #[arg(long, value_name = "LIST")]
+    columns: Option<Columns>,
+    /// Unit of times [default: what the header says, else s]
+    #[arg(long, value_name = "U", value_parser = time_unit)]
+    time_unit: Option<TimeUnit>,
+    /// Unit of Euler angles and angular velocities where the header says none: rad or deg
+    #[arg(long, value_name = "U", value_parser = angle_unit)]
+    angle_unit: Option<AngleUnit>,
+    /// Sequence of Euler angles: ZYX about moving axes (yaw, pitch, roll), zyx about fixed ones
+    #[arg(long, value_name = "AXES")]
+    euler: Option<Sequence>,
+    /// Axes of wx, wy, wz [default: what the names say, else world]
+    #[arg(long, value_enum, value_name = "AXES")]
+    angular_velocity: Option<Axes>,
+    /// What the quaternion takes to what [default: body-to-world]
+    #[arg(long, value_enum, value_name = "SENSE")]
+    quaternion: Option<Sense>,
+    /// Read the log by the convention that the frame check finds
+    #[arg(long)]
+    as_found: bool,
+    /// Start the reference at a row of the log
+    #[arg(long, value_name = "ROW", num_args = 0..=1, default_missing_value = "1", require_equals = true)]
+    from_log: Option<usize>,
     /// Largest error of --quantity over the run that passes
     #[arg(long, value_name = "E", value_parser = above_zero)]
     tolerance: Option<f64>,
     /// Quantity that --tolerance is about, in its SI unit
     #[arg(long, value_name = "Q", default_value = "body-point", requires = "tolerance", value_parser = quantity)]
     quantity: Quantity,
+    /// Write the errors of every row as CSV (one log)
+    #[arg(long, value_name = "FILE.csv")]
+    errors: Option<PathBuf>,
+    /// Draw the errors against time (one log)
+    #[arg(long, value_name = "FILE.png")]
+    plot: Option<PathBuf>,
     /// Write the records
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -42,15 +68,22 @@ pub(super) struct Options {
     force: Force,
 }
 
+/// Points of a line in a picture.
+const DRAWN: usize = 150;
+
 const EXAMPLES: &str = "\
 Examples:
   polhode judge log.csv --scene dzhanibekov
   polhode judge log.csv --scene my-body.toml --angular-velocity body --quaternion world-to-body
+  polhode judge log.txt --scene my-body.toml --columns t=stamp,qw=q_w,qx=q_x,qy=q_y,qz=q_z --time-unit ms
   polhode judge log.csv --scene dzhanibekov --tolerance 1e-3 --quantity orientation
+  polhode judge log.csv --scene dzhanibekov --errors errors.csv --plot errors.png
+  polhode judge first.csv second.csv third.csv --scene dzhanibekov
 
 Exit code: 0 the log was judged; with --tolerance 0 only where the largest error is within it, 1 where it is
-not, and 2 where that cannot be told: columns are missing, there is no reference, or the frame check says that
-the log follows another convention than the options. 65 the file is no trajectory, 74 it cannot be read.";
+not, and 2 where that cannot be decided: columns are missing, the last row has no such quantity, there is no
+reference, or the frame check says that the log follows another convention than it was read by. 65 the file is
+no trajectory, 74 it cannot be read.";
 
 #[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
 enum Axes {
@@ -62,6 +95,20 @@ enum Axes {
 enum Sense {
     BodyToWorld,
     WorldToBody,
+}
+
+fn time_unit(text: &str) -> Result<TimeUnit, String> {
+    word(text, &TimeUnit::ALL, TimeUnit::word)
+}
+
+fn angle_unit(text: &str) -> Result<AngleUnit, String> {
+    word(text, &AngleUnit::ALL, AngleUnit::word)
+}
+
+fn word<T: Copy>(text: &str, all: &[T], word: fn(T) -> &'static str) -> Result<T, String> {
+    let words: Vec<&str> = all.iter().map(|value| word(*value)).collect();
+    let found = all.iter().copied().find(|value| word(*value) == text);
+    found.ok_or(format!("expected one of {}", words.join(", ")))
 }
 
 fn above_zero(text: &str) -> Result<f64, String> {
@@ -78,49 +125,148 @@ fn quantity(text: &str) -> Result<Quantity, String> {
 
 pub(super) fn judge(options: &Options) -> Result<u8, Failure> {
     options.force.try_json(options.json.as_ref())?;
+    options.force.try_place(options.errors.as_ref(), |head| head.starts_with(Series::header().trim_end()))?;
+    options.force.try_picture(options.plot.as_deref())?;
+    if options.logs.len() > 1 && (options.errors.is_some() || options.plot.is_some()) {
+        return Err(Failure::Usage("--errors and --plot take one log".to_owned()));
+    }
     let scene = Scene::find(&options.scene)?;
-    let declared = Convention {
-        spin_in_body_axes: options.angular_velocity == Axes::Body,
-        world_to_body: options.quaternion == Sense::WorldToBody,
-    };
-    let judgement = log::judge(&options.log, &scene, declared)?;
-    let name = options.log.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    let judged: Vec<(String, Judgement)> = options
+        .logs
+        .iter()
+        .map(|path| Ok((name_of(path), log::judge(path, &scene, &request(options))?)))
+        .collect::<Result<_, FileError>>()?;
     if let Some(path) = &options.json {
-        let records = Records {
-            schema: SCHEMA.to_owned(),
-            polhode: env!("CARGO_PKG_VERSION").to_owned(),
-            complete: true,
-            measurements: judgement.measurements(&scene, &name).into_iter().map(Arc::new).collect(),
-            verdicts: vec![judgement.verdict(&scene, &name)],
-            ..Records::default()
+        record::write_json(path, &records(&judged, &scene))?;
+    }
+    for (name, judgement) in &judged {
+        write_series(options, name, judgement)?;
+    }
+    let mut text: String = judged.iter().map(|(name, judgement)| in_words(judgement, &scene, name)).collect();
+    if judged.len() > 1 {
+        text += &deviations(&judged, &scene);
+    }
+    let mut code = 0;
+    for (name, judgement) in &judged {
+        let Some(limit) = options.tolerance else { continue };
+        let verdict = judgement.against(options.quantity, limit);
+        let of = if judged.len() > 1 { format!(" in {name}") } else { String::new() };
+        text += &format!("{}{of}\n", verdict.in_words());
+        code = match (code, verdict.ruling) {
+            (1, _) | (_, Ruling::Fail) => 1,
+            (code, Ruling::Pass) => code,
+            _ => UNDECIDED,
         };
-        record::write_json(path, &records)?;
     }
-    print(&in_words(&judgement, &scene, &name))?;
-    Ok(options.tolerance.map_or(0, |tolerance| ruling(&judgement, options.quantity, tolerance)))
+    print(&text)?;
+    Ok(code)
 }
 
-/// 0 within the tolerance, 1 outside, 2 where it cannot be told.
-fn ruling(judgement: &Judgement, quantity: Quantity, tolerance: f64) -> u8 {
-    let finding = judgement.findings.iter().find(|finding| finding.name == quantity.name());
-    match finding.map(|finding| &finding.value) {
-        Some(Ok(_)) if judgement.contradicted().is_some() => 2,
-        Some(Ok(value)) if value.max <= tolerance => 0,
-        Some(Ok(value)) if value.max > tolerance => 1,
-        _ => 2,
+fn name_of(path: &Path) -> String {
+    path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
+}
+
+fn records(judged: &[(String, Judgement)], scene: &Scene) -> Records {
+    let rows = |(name, judgement): &(String, Judgement)| judgement.measurements(scene, name);
+    Records {
+        schema: SCHEMA.to_owned(),
+        polhode: env!("CARGO_PKG_VERSION").to_owned(),
+        complete: true,
+        measurements: judged.iter().flat_map(rows).map(Arc::new).collect(),
+        verdicts: judged.iter().map(|(name, judgement)| judgement.frame_verdict(scene, name)).collect(),
+        ..Records::default()
     }
 }
 
-fn in_words(judgement: &Judgement, scene: &Scene, name: &str) -> String {
+/// The errors against time, as a table and as a picture.
+fn write_series(options: &Options, name: &str, judgement: &Judgement) -> Result<(), Failure> {
+    if let Some(path) = &options.errors {
+        record::write_whole(path, judgement.series.csv().as_bytes())?;
+    }
+    let Some(path) = &options.plot else { return Ok(()) };
+    let line = |quantity: Quantity| {
+        let points = judgement.series.largest(quantity, DRAWN);
+        let points: Vec<_> = points.into_iter().filter(|(_, error)| *error > 0.0).collect();
+        let points = points.into_iter().map(|(time, error)| (time, Some(error))).collect::<Vec<_>>();
+        let words = format!("{} [{}]", quantity.name(), quantity.unit());
+        (!points.is_empty()).then_some(Line { words, points })
+    };
+    let lines: Vec<Line> = Quantity::ALL.into_iter().filter_map(line).collect();
+    let panel =
+        LinePanel { across: "t [s]".to_owned(), across_logarithmic: false, up: "error".to_owned(), lines };
+    let chart = LineChart {
+        title: format!("Errors of {name}"),
+        subtitle: format!("against the reference; the largest in each of {DRAWN} parts of the run"),
+        description: format!("errors of {name} against time"),
+        panels: vec![panel],
+    };
+    let png = chart.png().map_err(|error| Failure::Usage(error.to_string()))?;
+    Ok(record::write_whole(path, &png)?)
+}
+
+/// Pairwise deviations of several logs: the largest, what grows along a line, and what stays bounded.
+fn deviations(judged: &[(String, Judgement)], scene: &Scene) -> String {
+    let mut table = new_table();
+    table.set_header([
+        "log",
+        "other log",
+        "quantity",
+        "unit",
+        "largest",
+        "secular",
+        "bounded",
+        "common times",
+    ]);
+    for (index, (name, judgement)) in judged.iter().enumerate() {
+        for (other_name, other) in &judged[index + 1..] {
+            for quantity in Quantity::ALL {
+                let Some(apart) = judgement.series.deviation(&other.series, &scene.system, quantity) else {
+                    continue;
+                };
+                let numbers =
+                    [apart.largest, apart.secular, apart.bounded].map(|number| format!("{number:.4e}"));
+                let head = [name.clone(), other_name.clone(), quantity.name().into(), quantity.unit().into()];
+                table.add_row(head.into_iter().chain(numbers).chain([apart.times.to_string()]));
+            }
+        }
+    }
+    format!("pairwise deviations at common times\n{table}\n")
+}
+
+fn request(options: &Options) -> Request {
+    Request {
+        said: Said {
+            columns: options.columns.clone(),
+            time_unit: options.time_unit,
+            angle_unit: options.angle_unit,
+            sequence: options.euler,
+        },
+        spin_in_body_axes: options.angular_velocity.map(|axes| axes == Axes::Body),
+        world_to_body: options.quaternion.map(|sense| sense == Sense::WorldToBody),
+        as_found: options.as_found,
+        series: options.errors.is_some() || options.plot.is_some() || options.logs.len() > 1,
+        from_log: options.from_log,
+    }
+}
+
+fn new_table() -> Table {
     let mut table = Table::new();
     table.load_preset(presets::UTF8_HORIZONTAL_ONLY).set_content_arrangement(ContentArrangement::Dynamic);
     if !table.is_tty() {
         table.set_width(120);
     }
+    table
+}
+
+fn in_words(judgement: &Judgement, scene: &Scene, name: &str) -> String {
+    let mut table = new_table();
     table.set_header(["quantity", "unit", "at the end", "largest", "uncertainty"]);
     for finding in &judgement.findings {
         let cells = match &finding.value {
-            Ok(v) => [v.end, v.max, v.uncertainty].map(|number| format!("{number:.4e}")),
+            Ok(v) => {
+                let end = v.end.map_or("not in the last row".to_owned(), |end| format!("{end:.4e}"));
+                [end, format!("{:.4e}", v.max), format!("{:.4e}", v.uncertainty)]
+            }
             Err(why) => [format!("not applicable: {why}"), String::new(), String::new()],
         };
         table.add_row([finding.name.to_owned(), finding.unit.to_owned()].into_iter().chain(cells));
@@ -131,14 +277,18 @@ fn in_words(judgement: &Judgement, scene: &Scene, name: &str) -> String {
     };
     let (from, to) = judgement.span;
     let mut text = format!(
-        "{name} as a run of {}: {} rows, t = {from} … {to} s, {} s apart\n{reference}\n{}\n\n{table}\n",
+        "{name} as a run of {}: {} rows, t = {from} … {to} s, {} s apart\n{}\n{reference}\n{}\n\n{table}\n",
         scene.name,
         judgement.rows,
         judgement.spacing,
+        judgement.reading,
         judgement.frames_in_words(),
     );
-    for (word, lines) in [("hint", &judgement.hints), ("note", &judgement.notes)] {
-        lines.iter().for_each(|line| text += &format!("{word}: {line}\n"));
+    for explanation in &judgement.explanations {
+        let word = if explanation.is_remark() { "remark" } else { "hint" };
+        let (words, left, before) = (&explanation.words, explanation.left, explanation.before);
+        text += &format!("{word}: {words} (it leaves {left:.1e} of {before:.1e}, relative)\n");
     }
+    judgement.notes.iter().for_each(|line| text += &format!("note: {line}\n"));
     text
 }

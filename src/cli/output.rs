@@ -2,8 +2,10 @@
 
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 
-use clap::Args;
+use clap::{Args, ValueEnum};
+use serde_json::Value;
 
 use super::Failure;
 use crate::record;
@@ -12,7 +14,7 @@ use crate::record;
 #[derive(Args, Clone, Copy, Debug, Default)]
 pub(super) struct Force {
     /// Overwrite files that this program did not write
-    #[arg(long = "force")]
+    #[arg(long = "force", hide_short_help = true)]
     pub(super) given: bool,
 }
 
@@ -32,6 +34,113 @@ impl Force {
     pub(super) fn try_picture(self, path: Option<&Path>) -> Result<(), Failure> {
         let tried = path.map(|path| record::try_place(path, self.given, |_| false)).transpose();
         Ok(tried.map(drop)?)
+    }
+}
+
+/// Width of a list.
+const WIDTH: usize = 100;
+
+/// Rows for people and for programs.
+pub(super) struct Listing {
+    header: Vec<&'static str>,
+    rows: Vec<Vec<String>>,
+}
+
+/// Form of a table.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(super) enum Format {
+    /// For people
+    #[default]
+    Text,
+    /// An object a row
+    Json,
+}
+
+impl Listing {
+    /// A table of these columns.
+    pub(super) fn of<const N: usize>(
+        header: [&'static str; N],
+        rows: impl Iterator<Item = [String; N]>,
+    ) -> Listing {
+        Listing { header: header.to_vec(), rows: rows.map(|row| row.to_vec()).collect() }
+    }
+
+    /// In a form.
+    pub(super) fn write(&self, format: Format) -> String {
+        match format {
+            Format::Text => self.text(),
+            Format::Json => format!("{:#}\n", self.json()),
+        }
+    }
+
+    fn json(&self) -> Value {
+        let keys = || self.header.iter().map(|name| name.replace(' ', "_"));
+        let object = |row: &Vec<String>| keys().zip(row.iter().cloned().map(Value::String)).collect();
+        self.rows.iter().map(object).collect::<Vec<serde_json::Map<String, Value>>>().into()
+    }
+
+    /// Columns two blanks apart, a row a line of at most 100 columns: the last column is cut where it is too long.
+    pub(super) fn text(&self) -> String {
+        let header: Vec<String> = self.header.iter().map(|name| (*name).to_owned()).collect();
+        let length = |text: &String| text.chars().count();
+        let rows = || std::iter::once(&header).chain(&self.rows);
+        let last = header.len() - 1;
+        let widths: Vec<usize> =
+            (0..last).map(|column| rows().map(|row| length(&row[column])).max().unwrap_or(0)).collect();
+        let left = WIDTH.saturating_sub(widths.iter().map(|width| width + 2).sum());
+        let mut text = String::new();
+        for row in rows() {
+            for (cell, width) in row.iter().zip(&widths) {
+                text += &format!("{cell:width$}  ");
+            }
+            if length(&row[last]) > left {
+                text.extend(row[last].chars().take(left.saturating_sub(1)));
+                text += "…\n";
+            } else {
+                text += &format!("{}\n", row[last]);
+            }
+        }
+        text
+    }
+}
+
+static COLOURED: AtomicBool = AtomicBool::new(false);
+
+/// Whether pass and fail are coloured on stdout.
+pub(super) fn set_colour(coloured: bool) {
+    COLOURED.store(coloured, Ordering::Relaxed);
+}
+
+/// The words of outcomes, and their colours as terminals number them: green, red and yellow.
+const OUTCOMES: [(&str, u8); 5] =
+    [("known deviation", 33), ("inconclusive", 33), ("broken", 31), ("fail", 31), ("pass", 32)];
+
+/// The verdicts in colour where that is wanted: the first outcome of each line.
+pub(super) fn painted(text: &str) -> String {
+    if !COLOURED.load(Ordering::Relaxed) {
+        return text.to_owned();
+    }
+    text.split_inclusive('\n').map(painted_line).collect()
+}
+
+fn painted_line(line: &str) -> String {
+    let is_word = |place: usize, word: &str| {
+        let before =
+            line[..place].chars().next_back().is_none_or(|letter| !letter.is_alphanumeric() && letter != '-');
+        let after = line[place + word.len()..].chars().next();
+        before && after.is_none_or(|letter| !letter.is_alphanumeric() && letter != '-')
+    };
+    let found = |(word, colour): &(&str, u8)| {
+        let place = line.find(*word).filter(|place| is_word(*place, word))?;
+        Some((place, word.len(), *colour))
+    };
+    match OUTCOMES.iter().filter_map(found).min() {
+        Some((place, length, colour)) => {
+            let (before, rest) = line.split_at(place);
+            let (word, after) = rest.split_at(length);
+            format!("{before}\u{1b}[{colour}m{word}\u{1b}[0m{after}")
+        }
+        None => line.to_owned(),
     }
 }
 

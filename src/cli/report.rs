@@ -1,16 +1,18 @@
 //! `polhode report`: measure, judge and draw.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 
 use super::Failure;
-use super::output::{Force, print};
+use super::output::{Force, painted, print};
 use super::progress::{with_bar, with_tasks};
 use super::select::Selection;
 use crate::campaign::{Sizes, Survey};
 use crate::gates;
-use crate::report;
+use crate::interrupt;
+use crate::record::{Capsule, Records, write_json};
+use crate::report::{self, Language, Pictures};
 
 /// Options of `polhode report`.
 #[derive(Args, Clone, Debug, Default)]
@@ -26,16 +28,35 @@ pub(super) struct Options {
     /// Every scheme in every scene
     #[arg(long)]
     full: bool,
-    /// Only what a repository can hold: report.md, key pictures, and records without the runs behind them
+    /// Only what a repository can hold: report.md, key pictures, the tables as CSV, and the verdicts
     #[arg(long)]
     brief: bool,
+    /// Write every picture as SVG, too
+    #[arg(long, conflicts_with = "brief")]
+    svg: bool,
+    /// One page with everything in it, in the place of a folder of pages
+    #[arg(long, conflicts_with_all = ["brief", "svg"])]
+    single_file: bool,
+    /// Draw this records file; nothing is run
+    #[arg(long, value_name = "RECORDS", conflicts_with_all = ["schemes", "places", "named", "full"])]
+    from: Option<PathBuf>,
+    /// Print the tables of a paper in this language; no folder is written
+    #[arg(long, value_name = "LANGUAGE", value_parser = ["markdown", "latex"], conflicts_with_all = ["out", "brief", "single_file"])]
+    format: Option<String>,
+    /// Write scenes, records, version and hashes into this file, for `polhode replay`
+    #[arg(long, value_name = "FILE", conflicts_with = "from")]
+    capsule: Option<PathBuf>,
 }
 
 const EXAMPLES: &str = "\
 Examples:
   polhode report                                   into reports/latest: index.html, report.md, plots
   polhode report kovalevskaya                      into reports/kovalevskaya
-  polhode report --scene my-body.toml --scheme peskin-rk2";
+  polhode report --scene my-body.toml --scheme peskin-rk2
+  polhode report --from reports/latest/records.json --out again
+  polhode report --single-file --out reports/one   one page to send
+  polhode report --from reports/latest/records.json --format latex   tables of a paper, to stdout
+  polhode report kovalevskaya --capsule kovalevskaya.capsule.json    polhode replay runs it again";
 
 /// The selection; where nothing was named every scheme in three scenes, too, and costs against size.
 fn survey(options: &Options) -> Result<Survey<'static>, Failure> {
@@ -51,22 +72,67 @@ fn survey(options: &Options) -> Result<Survey<'static>, Failure> {
 }
 
 pub(super) fn report(options: &Options, quiet: bool) -> Result<u8, Failure> {
-    let survey = survey(options)?;
+    options.force.try_json(options.capsule.as_ref())?;
+    let out = folder(options);
+    let asked = options.format.as_deref();
+    let language = asked.map(|name| if name == "latex" { Language::Latex } else { Language::Markdown });
+    if language.is_none() {
+        let (records, pages) = if options.brief {
+            ("verdicts.json", &["report.md"][..])
+        } else {
+            ("records.json", &["report.md", "index.html", "records.csv"][..])
+        };
+        report::try_folder(&out, records, pages, options.force.given)?;
+    }
+    let records = match &options.from {
+        Some(path) => Records::read(path)?,
+        None => measured(options, quiet)?,
+    };
+    match language {
+        Some(language) => print(&report::paper_tables(&records, language))?,
+        None => draw(options, &records, &out, quiet)?,
+    }
+    Ok(gates::exit_code(&records.verdicts))
+}
+
+fn folder(options: &Options) -> PathBuf {
     let whole = match (options.full, options.brief) {
         (false, false) => "latest",
         (true, _) => "full",
         (false, true) => "brief",
     };
-    let out = options.out.clone().unwrap_or_else(|| options.selection.folder(whole));
-    let pages = if options.brief { &["report.md"][..] } else { &["report.md", "index.html", "records.csv"] };
-    report::try_folder(&out, "records.json", pages, options.force.given)?;
+    options.out.clone().unwrap_or_else(|| options.selection.folder(whole))
+}
+
+/// Runs the survey, and writes the capsule where one is asked for.
+fn measured(options: &Options, quiet: bool) -> Result<Records, Failure> {
+    let survey = survey(options)?;
+    let request = survey.request();
     let records = with_tasks(quiet, |progress| Survey { progress, ..survey }.run());
-    let write = if options.brief { report::write_brief } else { report::write };
-    with_bar(quiet, "drawing", |progress| write(&records, &out, progress))?;
-    print(&report::verdict_table(&records, false))?;
+    if let Some(path) = &options.capsule {
+        let texts = options.selection.texts()?;
+        write_json(path, &Capsule::new(texts, request, &records))?;
+    }
+    Ok(records)
+}
+
+fn draw(options: &Options, records: &Records, out: &Path, quiet: bool) -> Result<(), Failure> {
+    let pictures = if options.svg { Pictures::PngAndSvg } else { Pictures::Png };
+    let single = options.single_file;
+    with_bar(quiet, "drawing", |progress| match (interrupt::requested(), options.brief, single) {
+        (true, ..) => report::write_rows(records, out),
+        (_, true, _) => report::write_brief(records, out, progress),
+        (.., true) => report::write_single_file(records, out, progress),
+        _ => report::write_with(records, out, pictures, progress),
+    })?;
+    print(&painted(&report::verdict_table(records, false)))?;
     if !quiet {
-        let page = if options.brief { "report.md" } else { "index.html" };
+        let page = match (interrupt::requested(), options.brief) {
+            (true, _) => "records.json",
+            (false, true) => "report.md",
+            (false, false) => "index.html",
+        };
         eprintln!("polhode: the report is {}", out.join(page).display());
     }
-    Ok(gates::exit_code(&records.verdicts))
+    Ok(())
 }

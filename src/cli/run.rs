@@ -1,7 +1,7 @@
 //! `polhode run`: one scheme, one scene, its states.
 
 use std::io::{self, BufWriter, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueEnum};
@@ -12,8 +12,9 @@ use super::{Failure, select};
 use crate::arithmetic::{DoubleDouble, Real, Single};
 use crate::campaign;
 use crate::model::{Snapshot, System, SystemError};
-use crate::record::{RunStatus, WholeFile, is_own_json};
+use crate::record::{self, Motion, RunStatus, WholeFile, is_own_json};
 use crate::reference::precise::{self, decimal};
+use crate::report;
 use crate::scenes::Scene;
 use crate::simulate::{Arithmetic, Contestant, Form, Outcome, Plan, Precision};
 
@@ -50,6 +51,9 @@ pub(super) struct Options {
     /// File to write instead of stdout
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
+    /// Draw the motion as a PNG: polhode, path of an axis, Ω and energy against time
+    #[arg(long, value_name = "FILE.png")]
+    plot: Option<PathBuf>,
     #[command(flatten)]
     force: Force,
 }
@@ -58,6 +62,7 @@ const EXAMPLES: &str = "\
 Examples:
   polhode run dzhanibekov --format csv
   polhode run dzhanibekov --scheme peskin-rk2 --step 0.01 --every 10
+  polhode run dzhanibekov --every 10 --plot dzhanibekov.png --out states.json
   polhode run my-body.toml --scheme euler --steps 1000 --format csv --out run.csv
   polhode run kovalevskaya --scheme peskin-rk2 --steps 600 --model points
   polhode run kovalevskaya --scheme rkmk4 --steps 600 --every 600 --precision double-double";
@@ -84,6 +89,7 @@ pub(super) fn run(options: &Options, quiet: bool) -> Result<u8, Failure> {
 
 fn run_in<T: Written>(options: &Options, quiet: bool) -> Result<u8, Failure> {
     options.force.try_place(options.out.as_ref(), is_own)?;
+    options.force.try_picture(options.plot.as_deref())?;
     let contestant = select::contestant(&options.scheme)?;
     let scene = Scene::find(options.scene.name())?;
     let plan = plan(options, &scene)?;
@@ -116,20 +122,65 @@ fn run_in<T: Written>(options: &Options, quiet: bool) -> Result<u8, Failure> {
         _ => Failure::Write { name, source },
     };
     let heading = heading::<T>(options.format, &scene.name, contestant.card.name, model, &plan);
-    let mut writer =
-        StateWriter { sink, system: &system, plan, count: 0, failed: None, format: options.format, heading };
+    let mut writer = StateWriter::new(sink, &system, plan, options.format, heading);
     let outcome = contestant.stream_in(&system, form, &plan, &mut |snapshot| writer.push(snapshot));
     if let Some(reason) = outcome.refusal() {
         return Err(cannot(reason));
     }
     writer.close(&outcome).map_err(fail)?;
+    if let Some(warning) = coarse(&plan, writer.fastest).filter(|_| !quiet) {
+        eprintln!("polhode: warning: {warning}");
+    }
     if let Some(file) = file {
         file.finish()?;
+    }
+    if let Some(path) = &options.plot {
+        draw(path, &scene, (&contestant, form), &system, &plan)?;
     }
     if let Some(broken) = &outcome.broken {
         eprintln!("polhode: {} in {}: {broken}", contestant.card.name, scene.name);
     }
     Ok(u8::from(outcome.broken.is_some()))
+}
+
+/// States that a picture is drawn from, about: a pixel of a path needs no more.
+const DRAWN: u64 = 4096;
+
+/// Writes the picture of a run, which is run once more: what is written may be fewer states than a path needs.
+fn draw<T: Arithmetic>(
+    path: &Path,
+    scene: &Scene,
+    (contestant, form): (&Contestant, Form),
+    system: &System<T>,
+    plan: &Plan,
+) -> Result<(), Failure> {
+    let plan = Plan { every: (plan.steps / DRAWN).max(1), ..*plan };
+    let states: Vec<Snapshot> =
+        contestant.run_in(system, form, &plan).0.iter().map(Snapshot::nearest).collect();
+    let motion = campaign::motion(&scene.system, &states);
+    let (scene, scheme) = (scene.name.clone(), contestant.card.name.to_owned());
+    let png = report::motion_picture(&Motion { scene, scheme, step_s: plan.step, ..motion });
+    Ok(record::write_whole(path, &png.map_err(|error| Failure::Usage(error.to_string()))?)?)
+}
+
+/// Angle of a step above which `run` warns [rad]: an order is seen below it, where a step is a small part of a turn.
+const COARSE: f64 = 1.0;
+
+/// What is to be said of steps in which the body turns far, by the fastest spin of the states written.
+fn coarse(plan: &Plan, fastest: f64) -> Option<String> {
+    let angle = fastest * plan.step;
+    (angle > COARSE).then(|| {
+        format!(
+            "a step of {} s turns the body by up to {angle:.3} rad; --step {} keeps it below {COARSE} rad",
+            plan.step,
+            format_step(COARSE / fastest)
+        )
+    })
+}
+
+/// A step in four digits.
+fn format_step(step: f64) -> String {
+    if (1e-3..1e4).contains(&step) { format!("{step:.4}") } else { format!("{step:.3e}") }
 }
 
 /// Whether a file begins like one of this command.
@@ -218,6 +269,8 @@ struct StateWriter<'a, T: Written> {
     system: &'a System<T>,
     plan: Plan,
     count: u64,
+    /// Largest |Ω| of the states [rad/s].
+    fastest: f64,
     failed: Option<io::Error>,
     format: Format,
     /// What stands before the first state, until it is written.
@@ -241,7 +294,17 @@ fn heading<T: Written>(format: Format, scene: &str, scheme: &str, model: &str, p
     }
 }
 
-impl<T: Written> StateWriter<'_, T> {
+impl<'a, T: Written> StateWriter<'a, T> {
+    fn new(
+        sink: &'a mut dyn Write,
+        system: &'a System<T>,
+        plan: Plan,
+        format: Format,
+        heading: String,
+    ) -> StateWriter<'a, T> {
+        StateWriter { sink, system, plan, count: 0, fastest: 0.0, failed: None, format, heading }
+    }
+
     fn open(&mut self) -> io::Result<()> {
         write!(self.sink, "{}", std::mem::take(&mut self.heading))
     }
@@ -255,6 +318,7 @@ impl<T: Written> StateWriter<'_, T> {
             crate::interrupt::request();
         }
         self.count += 1;
+        self.fastest = self.fastest.max(snapshot.angular_velocity.norm().to_f64());
     }
 
     fn write(&mut self, s: &Snapshot<T>) -> io::Result<()> {

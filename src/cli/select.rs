@@ -5,8 +5,10 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::Failure;
+use super::config::Config;
 use crate::engine::{self, Engine};
 use crate::model::Quantity;
+use crate::record::SceneText;
 use crate::scenes::{self, Scene};
 use crate::schemes::Card;
 use crate::simulate::Contestant;
@@ -34,9 +36,12 @@ pub(super) struct Scenes {
 }
 
 impl Scenes {
-    /// The names, those by position first.
+    /// The names, those by position first; those of the settings where none is given.
     pub(super) fn names(&self) -> Vec<String> {
-        self.places.iter().chain(&self.named).cloned().collect()
+        match self.places.is_empty() && self.named.is_empty() {
+            true => Config::current().scenes.clone(),
+            false => self.places.iter().chain(&self.named).cloned().collect(),
+        }
     }
 
     /// The scenes; every built-in one where none is named.
@@ -80,9 +85,14 @@ impl OneScene {
 }
 
 impl Selection {
+    /// The names of the schemes; those of the settings where none is given.
+    fn schemes(&self) -> &[String] {
+        if self.schemes.is_empty() { &Config::current().schemes } else { &self.schemes }
+    }
+
     /// Whether nothing was named.
     pub(super) fn is_default(&self) -> bool {
-        self.schemes.is_empty() && self.scenes.names().is_empty()
+        self.schemes().is_empty() && self.scenes.names().is_empty()
     }
 
     /// The folder of a report where none is named: `whole` for the default scenes and schemes, else by what was named.
@@ -93,7 +103,7 @@ impl Selection {
     /// What was named, as the name of a folder.
     fn subject(&self) -> String {
         let names: Vec<String> =
-            self.scenes.names().into_iter().chain(self.schemes.iter().cloned()).collect();
+            self.scenes.names().into_iter().chain(self.schemes().iter().cloned()).collect();
         let whole = names.join("_");
         let safe =
             |letter: char| if letter.is_ascii_alphanumeric() || "-_".contains(letter) { letter } else { '-' };
@@ -111,22 +121,31 @@ impl Selection {
 
     /// Whether schemes were named.
     pub(super) fn names_schemes(&self) -> bool {
-        !self.schemes.is_empty()
+        !self.schemes().is_empty()
     }
 
     /// The schemes that were named, all where `full`, or the main ones.
     pub(super) fn contestants(&self, full: bool) -> Result<Vec<Contestant>, Failure> {
-        if self.schemes.is_empty() && !full {
+        if self.schemes().is_empty() && !full {
             return Ok(Contestant::main());
         }
-        if full || self.schemes.iter().any(|name| name == "all") {
+        if full || self.schemes().iter().any(|name| name == "all") {
             return Ok(Contestant::everyone());
         }
-        self.schemes.iter().map(|name| contestant(name)).collect()
+        self.schemes().iter().map(|name| contestant(name)).collect()
     }
 
     pub(super) fn scenes(&self) -> Result<Vec<Scene>, Failure> {
         self.scenes.open()
+    }
+
+    /// The texts of the scenes.
+    pub(super) fn texts(&self) -> Result<Vec<SceneText>, Failure> {
+        let names = self.scenes.names();
+        let all = || scenes::FILES.iter().map(|(name, _)| (*name).to_owned()).collect();
+        let names: Vec<String> = if names.is_empty() { all() } else { names };
+        let text = |name: String| Ok(SceneText { toml: Scene::text(&name)?, name });
+        names.into_iter().map(text).collect()
     }
 }
 
@@ -175,7 +194,8 @@ pub(super) fn contestant(name: &str) -> Result<Contestant, Failure> {
         return substepped(name, parts, base);
     }
     let names: Vec<&str> = all.iter().map(|contestant| contestant.card.name).collect();
-    if let Some(command) = name.strip_prefix(engine::PREFIX) {
+    let of_settings = Config::current().engines.get(name).map(String::as_str);
+    if let Some(command) = name.strip_prefix(engine::PREFIX).or(of_settings.filter(|_| !listed)) {
         return Ok(Engine::open(command)?.contestant(name));
     }
     match all.iter().find(|contestant| contestant.card.name == name) {

@@ -8,8 +8,8 @@ use comfy_table::{Table, presets};
 use super::Failure;
 use super::output::print;
 use super::progress::with_bar;
-use crate::record::Verdict;
-use crate::scenes::random;
+use crate::scenes::random::{self, Family};
+use crate::self_test::random::Finding;
 use crate::self_test::{self, Findings, Outcome};
 
 /// Options of `polhode self-test`.
@@ -22,6 +22,9 @@ pub(super) struct Options {
     /// Seed of the random scenes
     #[arg(long, value_name = "S", default_value_t = 1)]
     seed: u64,
+    /// Random scenes that are extreme: far away, fast, thin, flipping, of the size of a molecule or a planet, by turns
+    #[arg(long)]
+    extreme: bool,
     /// Print random scene K of the seed as a scene file
     #[arg(long, value_name = "K", conflicts_with = "random")]
     print: Option<u64>,
@@ -41,12 +44,14 @@ Exit code: 0 every defect was caught and the faithful copy of the scheme stayed 
 1 otherwise.";
 
 pub(super) fn self_test(options: &Options, quiet: bool) -> Result<u8, Failure> {
+    let families: &[Family] = if options.extreme { &Family::EXTREME } else { &[Family::Ordinary] };
     if let Some(number) = options.print {
-        print(&random::text(options.seed, number))?;
+        let family = families[number as usize % families.len()];
+        print(&random::text(family, options.seed, number))?;
         return Ok(0);
     }
     if let Some(count) = options.random {
-        return judge_random_scenes(options.seed, count, quiet);
+        return judge_random_scenes(families, options.seed, count, quiet);
     }
     let findings = with_bar(quiet, "planting", |progress| self_test::run(progress));
     print(&format!("{}\n\n{}", matrix(&findings), summary(&findings)))?;
@@ -103,9 +108,13 @@ const MOST_SHOWN: usize = 50;
 /// Scenes of correct schemes for each in which wrong orders are judged.
 const SCENES_FOR_A_WRONG_ORDER: u64 = 10;
 
-fn judge_random_scenes(seed: u64, count: u64, quiet: bool) -> Result<u8, Failure> {
-    let findings = with_bar(quiet, "judging", |progress| self_test::random::run(seed, count, progress));
+fn judge_random_scenes(families: &[Family], seed: u64, count: u64, quiet: bool) -> Result<u8, Failure> {
+    let findings =
+        with_bar(quiet, "judging", |progress| self_test::random::run(families, seed, count, progress));
     print(&random_summary(seed, &findings))?;
+    if families != [Family::Ordinary] {
+        return Ok(u8::from(!findings.sound()));
+    }
     let scenes = count.div_ceil(SCENES_FOR_A_WRONG_ORDER);
     print(&power_summary(scenes, &self_test::power::run(seed, scenes)))?;
     Ok(u8::from(!findings.sound()))
@@ -174,15 +183,16 @@ fn random_summary(seed: u64, findings: &self_test::random::Findings) -> String {
     for (cause, count) in causes {
         text += &format!("{count:6}  {cause}\n");
     }
-    let mut groups: BTreeMap<(u64, &str, &str), Vec<&Verdict>> = BTreeMap::new();
+    let mut groups: BTreeMap<(u64, &str, &str), Vec<&Finding>> = BTreeMap::new();
     for finding in &findings.against {
         let verdict = &finding.verdict;
-        groups.entry((finding.number, &verdict.scheme, verdict.claim.word())).or_default().push(verdict);
+        groups.entry((finding.number, &verdict.scheme, verdict.claim.word())).or_default().push(finding);
     }
-    for ((number, scheme, claim), verdicts) in groups.iter().take(MOST_SHOWN) {
-        let (first, more) = (verdicts[0], verdicts.len() - 1);
+    for ((number, scheme, claim), found) in groups.iter().take(MOST_SHOWN) {
+        let (first, more) = (&found[0].verdict, found.len() - 1);
+        let extreme = if found[0].family == Family::Ordinary { "" } else { " --extreme" };
         text += &format!(
-            "\nAGAINST A CORRECT SCHEME: {scheme} {claim} {}: {}{}\n  polhode self-test --seed {seed} --print {number}\n",
+            "\nAGAINST A CORRECT SCHEME: {scheme} {claim} {}: {}{}\n  polhode self-test{extreme} --seed {seed} --print {number}\n",
             first.quantity,
             first.detail,
             if more > 0 { format!(" … and {more} more") } else { String::new() },

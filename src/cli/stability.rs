@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::Failure;
-use super::output::{Force, print};
+use super::output::{Force, Format, print};
 use super::progress::with_bar;
 use super::select::Selection;
 use crate::campaign;
@@ -43,6 +43,9 @@ pub(super) struct Options {
     /// Write the limits and lines that the gate and the list hold, as references/stability.json
     #[arg(long, value_name = "FILE")]
     store: Option<PathBuf>,
+    /// Form of the table
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
 }
 
 const EXAMPLES: &str = "\
@@ -98,7 +101,10 @@ pub(super) fn stability(options: &Options, quiet: bool) -> Result<u8, Failure> {
         return Ok(0);
     }
     report::write_stability(&study, &out)?;
-    print(&report::stability_table(&study))?;
+    print(&match options.format {
+        Format::Text => report::stability_table(&study),
+        Format::Json => format!("{:#}\n", serde_json::json!(study)),
+    })?;
     if !quiet {
         eprintln!("polhode: the study is {}", out.join("stability.md").display());
     }

@@ -1,8 +1,8 @@
 //! Every claim to its gate: the match is exhaustive.
 
 use super::{
-    Baseline, deviations, energy, equivariant, evaluations, exact, flip_times, follows_tolerance, order,
-    reduction, reference, reversible, rigid, ruled, solves, stability, symplectic, vertical_momentum,
+    Baseline, deviations, energy, equivariant, evaluations, exact, flip_times, follows_tolerance, on_record,
+    order, reduction, reference, reversible, rigid, ruled, solves, stability, symplectic, vertical_momentum,
 };
 use crate::claim::Claim;
 use crate::record::{Evidence, Records, Ruling, Verdict};
@@ -33,6 +33,7 @@ pub fn judge(evidence: &Evidence, baseline: &Baseline) -> Vec<Verdict> {
         }
     }
     verdicts.extend(order::judge(evidence, baseline));
+    verdicts.extend(on_record::judge_cell(evidence, baseline));
     verdicts.push(reduction::judge(evidence));
     verdicts.extend(stability::judge(evidence));
     if evidence.setting.built_in {

@@ -11,6 +11,7 @@ mod exact;
 mod flip_times;
 mod follows_tolerance;
 pub(crate) mod judge;
+mod on_record;
 pub(crate) mod order;
 mod reduction;
 pub(crate) mod reference;
@@ -24,7 +25,7 @@ mod vertical_momentum;
 use crate::claim::{Claim, Quantity, When};
 use crate::record::{ClaimName, Evidence, Ruling, Setting, Verdict};
 
-pub use baseline::Baseline;
+pub use baseline::{Baseline, Tolerance};
 pub use judge::{judge, judge_all};
 pub(crate) use reference::judge_reference;
 

@@ -6,18 +6,14 @@
 //! - The order is at least the claimed one in every scene, and exactly that in the generic ones. An order is the least over all problems and
 //!   quantities: a higher one is a remark.
 //! - A run of an odd number of steps is what the others make of it.
-//! - The error constant is that on record, and so is the error of every run of the same step.
+//! - What is on record is compared by [`super::on_record`].
 
-use super::{Baseline, SOLVED_TO, promised_exact, ruled};
+use super::{Baseline, SOLVED_TO, on_record, promised_exact, ruled};
 use crate::claim::Claim;
 use crate::measure::{Asked, BELOW, Decision, Doubt, HIGHEST, Order, Run, decide_either, start_allows};
 use crate::model::Quantity;
 use crate::record::{ClaimName, Evidence, Ruling, Rung, Verdict, length};
 
-/// Largest relative change of an error constant.
-const CONSTANT_CHANGE: f64 = 0.01;
-/// Least relative change of the error of a run that shows another scheme: what r tends to for a wrong order.
-const CHANGED: f64 = 0.5;
 /// Least fall of an error from one run to the next, over what its order explains, that is named: three orders more.
 const NAMED: f64 = 8.0;
 /// Most that an error between two runs differs from that of the coarser one, over the difference of the two.
@@ -41,19 +37,19 @@ pub(super) fn judge(evidence: &Evidence, baseline: &Baseline) -> Vec<Verdict> {
     let mut verdicts: Vec<Verdict> = Vec::new();
     for (quantity, decision, precise) in &decided {
         verdicts.extend(judge_start(evidence, *quantity).filter(|_| evidence.program));
-        let first = verdicts.len();
         // An order that is judged says whether the runs converge.
         let order = judge_order(evidence, *quantity, decision);
-        verdicts.push(order.unwrap_or_else(|| judge_convergence(evidence, *quantity, decision)));
-        verdicts.extend(judge_constant(evidence, *quantity, decision, baseline));
+        let mut order = order.unwrap_or_else(|| judge_convergence(evidence, *quantity, decision));
+        let order_fails = order.claim == ClaimName::Order && order.verdict == Ruling::Fail;
         if *precise {
-            verdicts[first..].iter_mut().for_each(|verdict| verdict.detail += ", in double-double");
+            order.detail += ", in double-double";
         }
+        verdicts.push(order);
         // Both are of the runs in f64, whose order double-double does not tell.
         let of_f64 = if *precise { None } else { Some(decision) };
         verdicts.extend(judge_jump(evidence, *quantity, of_f64));
         verdicts.extend(of_f64.and_then(|decision| judge_odd(evidence, *quantity, decision)));
-        verdicts.extend(judge_record(evidence, *quantity, baseline));
+        verdicts.extend(on_record::judge_quantity(evidence, *quantity, (decision, order_fails), baseline));
     }
     if let Some(reason) = &evidence.setting.not_for_order {
         verdicts.push(ruled(evidence, ClaimName::Order, "all", Ruling::NotApplicable, reason.as_str()));
@@ -206,10 +202,11 @@ fn judge_generic(evidence: &Evidence, least: Option<u32>) -> Option<Verdict> {
 }
 
 /// Runs of an odd number of steps at the end: at their rounding where the others are, and otherwise between the coarser and the finer run.
-/// `None` where that holds.
+/// Where the motion has kinks, between any two successive runs. `None` where that holds.
 fn judge_odd(evidence: &Evidence, quantity: Quantity, decision: &Decision) -> Option<Verdict> {
     let ladder = &evidence.ladder;
     let asked = Asked::of(ladder, quantity);
+    let smooth = evidence.setting.not_for_order.is_none();
     let whole = match decision {
         Decision::Exact => true,
         Decision::Order(found) => found.until >= asked.times[asked.times.len() - 1],
@@ -220,11 +217,15 @@ fn judge_odd(evidence: &Evidence, quantity: Quantity, decision: &Decision) -> Op
             return Some(length(&odd.errors));
         }
         let finer = asked.runs.iter().position(|run| run.step < odd.step).filter(|index| *index > 0)?;
-        let (coarse, fine) = (&asked.runs[finer - 1].errors, &asked.runs[finer].errors);
         let apart = |a: &[f64], b: &[f64]| length(&a.iter().zip(b).map(|(a, b)| a - b).collect::<Vec<_>>());
-        let from_coarse = apart(&odd.errors, coarse.get(coarse.len().checked_sub(odd.errors.len())?..)?);
         // Over the run: at the end alone two errors may be alike by chance.
-        (from_coarse > BETWEEN * apart(coarse, fine)).then_some(from_coarse)
+        let jump = |finer: usize| apart(&asked.runs[finer - 1].errors, &asked.runs[finer].errors);
+        let coarse = &asked.runs[finer - 1].errors;
+        let from_coarse = apart(&odd.errors, coarse.get(coarse.len().checked_sub(odd.errors.len())?..)?);
+        // The step of which a run meets a kink decides its error: any jump between two runs may come again.
+        let jumps = if smooth { finer..finer + 1 } else { 1..asked.runs.len() };
+        let explained = jumps.map(jump).fold(0.0, f64::max);
+        (from_coarse > BETWEEN * explained).then_some(from_coarse)
     };
     let wrong = |rung: &&Rung| {
         let odd = Run::of(rung, quantity, &ladder.arms);
@@ -244,54 +245,6 @@ fn judge_odd(evidence: &Evidence, quantity: Quantity, decision: &Decision) -> Op
     );
     let verdict = ruled(evidence, ClaimName::Converges, quantity.name(), Ruling::Fail, detail);
     Some(Verdict { measured: Some(error), ..verdict })
-}
-
-/// The error constant against the one on record.
-fn judge_constant(
-    evidence: &Evidence,
-    quantity: Quantity,
-    decision: &Decision,
-    baseline: &Baseline,
-) -> Option<Verdict> {
-    let name = quantity.name();
-    let known = baseline.find(&evidence.setting.content, &evidence.known_as, name)?.constant?;
-    let rule = |ruling, detail| ruled(evidence, ClaimName::Constant, name, ruling, detail);
-    let Decision::Order(found) = decision else {
-        // Exact or another motion: the error is not that of the record.
-        let other = !matches!(decision, Decision::Undecided(_));
-        let ruling = if other { Ruling::Fail } else { Ruling::Inconclusive };
-        return Some(rule(ruling, format!("constant {known:.4e} on record, none measured")));
-    };
-    let (constant, change) = (found.constant, CONSTANT_CHANGE);
-    let ruling = if (constant / known - 1.0).abs() <= change { Ruling::Pass } else { Ruling::Fail };
-    let detail = format!("C = {constant:.4e}, on record {known:.4e} ± 1 %: ratio {:.4}", constant / known);
-    Some(Verdict {
-        measured: Some(constant),
-        low: Some(known * (1.0 - change)),
-        high: Some(known * (1.0 + change)),
-        ..rule(ruling, detail)
-    })
-}
-
-/// Every run against the run of the same step on record; `None` where they agree or none is on record.
-fn judge_record(evidence: &Evidence, quantity: Quantity, baseline: &Baseline) -> Option<Verdict> {
-    let recorded = baseline.find(&evidence.setting.content, &evidence.known_as, quantity.name())?;
-    let asked = Asked::of(&evidence.ladder, quantity);
-    let changed = |run: &Run| {
-        let (_, known, floor) =
-            recorded.errors.iter().find(|(step, ..)| (step / run.step - 1.0).abs() < 1e-9)?;
-        let error = if run.errors.is_empty() { f64::INFINITY } else { asked.error(run) };
-        let holds = (error - known).abs() <= CHANGED * known + asked.floor_of(run) + floor;
-        (!holds).then_some((run.step, error, *known))
-    };
-    let (step, error, known) = asked.runs.iter().find_map(changed)?;
-    let unit = quantity.unit();
-    let detail = format!(
-        "error over the run {error:.2e} {unit} at h = {step:.2e} s, {known:.2e} {unit} on record: {:.1} times as large",
-        error / known
-    );
-    let verdict = ruled(evidence, ClaimName::Constant, quantity.name(), Ruling::Fail, detail);
-    Some(Verdict { measured: error.is_finite().then_some(error), high: Some(known), ..verdict })
 }
 
 fn words(found: &Order) -> String {

@@ -39,8 +39,7 @@ impl Pose {
 
 /// R = Rz(yaw) Ry(pitch) Rx(roll) [rad], the fixed axes of URDF and SDF.
 pub(super) fn roll_pitch_yaw([roll, pitch, yaw]: [f64; 3]) -> Rotation {
-    let about = |axis: Vector3<f64>, angle: f64| rotation::turn(&(axis * angle));
-    about(Vector3::z(), yaw) * about(Vector3::y(), pitch) * about(Vector3::x(), roll)
+    rotation::euler([yaw, pitch, roll], [2, 1, 0], true)
 }
 
 /// A rotation of w, x, y, z, of any length.

@@ -22,8 +22,8 @@ pub(super) fn read(text: &str, file: &str) -> Result<Robot, InspectError> {
     let scene = match Scene::parse(text, file) {
         Ok(scene) => Some(scene),
         Err(error) if printed.is_none() => return Err(error.into()),
-        Err(SceneError::Content { key, .. })
-            if key.starts_with("body.inertia") || key.starts_with("body.mass") =>
+        Err(SceneError::Content { faults, .. })
+            if faults.iter().all(|f| f.key.starts_with("body.inertia") || f.key.starts_with("body.mass")) =>
         {
             None
         }

@@ -7,7 +7,7 @@
 
 use nalgebra::{Quaternion, Vector3};
 
-use super::file::{Part, Row};
+use super::row::{Part, Parts, Row};
 use crate::rotation::{self, Rotation};
 
 /// Pairs of rows that are looked at.
@@ -81,15 +81,19 @@ pub enum FrameCheck {
 }
 
 /// Holds a log against every convention; `has` says whether it has the columns. `known` is the convention that
-/// was declared, where the orientations under it are those of the reference.
-pub(super) fn check(rows: &[Row], has: bool, known: Option<Convention>) -> FrameCheck {
+/// was declared, where the orientations under it are those of the reference; `fastest` the largest angular velocity of the reference
+/// [rad/s], where there is one: a body that turns by more than a radian between two rows may show any turn.
+pub(super) fn check(rows: &[Row], has: bool, known: Option<Convention>, fastest: f64) -> FrameCheck {
     if !has {
         return FrameCheck::Nothing("it needs qw, qx, qy, qz and wx, wy, wz");
     }
     let stride = (rows.len() / PAIRS).max(1);
-    let pairs: Vec<&[Row]> = rows.windows(2).step_by(stride).filter(|pair| says_something(pair)).collect();
+    let says = |pair: &&[Row]| says_something(pair, fastest);
+    let pairs: Vec<&[Row]> = rows.windows(2).step_by(stride).filter(says).collect();
     if pairs.len() < FEWEST_PAIRS {
-        return FrameCheck::Nothing("too few rows that are less than a radian apart");
+        return FrameCheck::Nothing(
+            "fewer than three pairs of rows are less than a radian apart: the rows are too far apart to check w",
+        );
     }
     let fits = Convention::ALL.map(|convention| fit(convention, &pairs));
     if fits.iter().all(|fit| fit.factor == 0.0) {
@@ -116,9 +120,13 @@ fn choose(fits: &[Fit], known: Option<Convention>) -> FrameCheck {
     if upright.len() == 1 { FrameCheck::Follows(best) } else { FrameCheck::Alike(upright) }
 }
 
-fn says_something(pair: &[Row]) -> bool {
-    let turned = turn(pair, Convention::ALL[0]);
-    pair[1].time() > pair[0].time() && rotation::length(&turned) < WIDEST_TURN
+fn says_something(pair: &[Row], fastest: f64) -> bool {
+    let both = Parts::of(&[Part::Orientation, Part::Spin]);
+    let apart = pair[1].time() - pair[0].time();
+    pair.iter().all(|row| row.parts.covers(both))
+        && apart > 0.0
+        && apart * fastest < WIDEST_TURN
+        && rotation::length(&turn(pair, Convention::ALL[0])) < WIDEST_TURN
 }
 
 /// Rotation vector from the first row to the second [rad], in the axes of w under a convention.
@@ -132,9 +140,7 @@ fn fit(convention: Convention, pairs: &[&[Row]]) -> Fit {
     let (mut moved, mut both, mut written) = (0.0, 0.0, 0.0);
     for pair in pairs {
         let rate = turn(pair, convention) / (pair[1].time() - pair[0].time());
-        let mean = (Vector3::from(pair[0].numbers::<3>(Part::Spin))
-            + Vector3::from(pair[1].numbers::<3>(Part::Spin)))
-            * 0.5;
+        let mean = (pair[0].vector(Part::Spin) + pair[1].vector(Part::Spin)) * 0.5;
         moved += rate.norm_squared();
         both += rate.dot(&mean);
         written += mean.norm_squared();

@@ -1,270 +1,293 @@
-//! Errors and drifts of a log, over all of its rows at once.
+//! Errors of a log and the metrics of a run, over all of its rows at once.
+//!
+//! A piece of the log is held against the reference as a run is. The samples of the reference stand before the rows of every piece, on both
+//! sides: what a metric divides by is then that of the whole motion, and memory does not grow with the log.
 
-use nalgebra::{Quaternion, Vector3};
 use rayon::prelude::*;
 
-use super::file::{Log, Part, Row};
-use super::hints::{Orientations, Sums};
+use super::row::{Log, Part, Parts, Row};
 use super::track::Track;
 use super::{Convention, Finding, Value};
-use crate::model::{PerQuantity, Quantity, Snapshot, System, difference};
+use crate::measure::{self, Metric, Sight};
+use crate::model::{PerQuantity, Quantity, Snapshot, System, difference, larger};
+use crate::reference::Reference;
 use crate::rotation::{self, Rotation};
-use crate::scenes::Scene;
 
 /// Rows that one thread takes at a time.
-const CHUNK: usize = 1 << 13;
-/// Length of a quaternion, less one, from which on it is told.
+const CHUNK: usize = 1 << 12;
+/// Length of a quaternion, less one, that is remarked.
 const UNIT: f64 = 1e-3;
+/// Metrics that a log cannot show: its bodies are rigid.
+const NOT_OF_LOGS: &str = "rigidity";
 
-/// Drifts: name, unit.
-const DRIFTS: [(&str, &str); 3] =
-    [("total-energy", "1"), ("angular-momentum-magnitude", "1"), ("angular-momentum-direction", "rad")];
-
-pub(super) struct Measured {
-    pub findings: Vec<Finding>,
-    pub hints: Vec<String>,
-    pub notes: Vec<String>,
-    /// Whether the orientations, as they were declared, are the reference's.
-    pub orientations_agree: bool,
+/// Largest and last of a number over rows.
+#[derive(Clone, Copy, Debug)]
+struct Extreme {
+    max: f64,
+    /// Time of the largest [s].
+    at: f64,
+    /// The last, and its row among all.
+    end: f64,
+    last: usize,
+    rows: usize,
 }
 
-/// What is gathered over the rows.
-#[derive(Clone, Copy, Default)]
-struct Gathered {
-    errors: PerQuantity<f64>,
-    drifts: [f64; 3],
-    kinetic: f64,
-    sums: [Sums; 3],
-    orientations: Orientations,
+impl Extreme {
+    const NONE: Extreme = Extreme { max: 0.0, at: 0.0, end: f64::NAN, last: 0, rows: 0 };
+
+    fn push(&mut self, value: f64, time: f64, index: usize) {
+        self.join(&Extreme { max: value, at: time, end: value, last: index, rows: 1 });
+    }
+
+    fn join(&mut self, other: &Extreme) {
+        if other.rows == 0 {
+            return;
+        }
+        let max = larger(self.max, other.max);
+        // A NaN is the largest of all, where it stands first.
+        if self.rows == 0 || max.is_nan() && !self.max.is_nan() || max > self.max {
+            self.at = other.at;
+        }
+        self.max = max;
+        (self.end, self.last) = (other.end, other.last);
+        self.rows += other.rows;
+    }
+}
+
+/// What is read over the rows.
+struct Readings {
+    errors: PerQuantity<Extreme>,
+    metrics: Vec<Extreme>,
+    /// How far quaternions are off unit length.
     unit: f64,
-    end: (PerQuantity<f64>, [f64; 3]),
 }
 
-struct Reader<'a> {
-    log: &'a Log,
-    system: &'a System,
-    declared: Convention,
-    track: Option<&'a Track>,
-    first: Option<Conserved>,
+impl Readings {
+    fn none() -> Readings {
+        Readings {
+            errors: PerQuantity::all(Extreme::NONE),
+            metrics: vec![Extreme::NONE; metrics().count()],
+            unit: 0.0,
+        }
+    }
+
+    fn joined(mut self, other: &Readings) -> Readings {
+        for quantity in Quantity::ALL {
+            self.errors[quantity].join(&other.errors[quantity]);
+        }
+        self.metrics.iter_mut().zip(&other.metrics).for_each(|(a, b)| a.join(b));
+        self.unit = self.unit.max(other.unit);
+        self
+    }
 }
 
-/// Energy and angular momentum of a row.
+fn metrics() -> impl Iterator<Item = &'static Metric> {
+    measure::ALL.iter().filter(|metric| metric.name != NOT_OF_LOGS)
+}
+
+/// A log as states in world axes.
 #[derive(Clone, Copy)]
-struct Conserved {
-    kinetic: f64,
-    potential: f64,
-    momentum: Vector3<f64>,
+pub(super) struct Reader<'a> {
+    pub log: &'a Log,
+    pub system: &'a System,
+    pub declared: Convention,
 }
 
+/// Everything that is measured on a log.
 pub(super) fn measure(
-    log: &Log,
-    scene: &Scene,
+    reader: &Reader,
     track: Result<&Track, &String>,
-    declared: Convention,
-) -> Measured {
-    let mut reader = Reader { log, system: &scene.system, declared, track: track.ok(), first: None };
-    reader.first = Some(reader.conserved(&reader.snapshot(&log.rows[0], None)));
-    let chunks: Vec<Gathered> = log
-        .rows
+    notes: &mut Vec<String>,
+) -> Vec<Finding> {
+    let rows = &reader.log.rows;
+    let grid = track.map(|track| track.samples()).unwrap_or_default();
+    let pieces: Vec<Readings> = rows
         .par_chunks(CHUNK)
         .enumerate()
-        .map(|(chunk, rows)| reader.gather(rows, chunk * CHUNK))
+        .map(|(piece, rows)| match track {
+            Ok(track) => reader.readings(track, &grid, rows, piece * CHUNK),
+            Err(_) => Readings::none(),
+        })
         .collect();
-    let gathered = chunks.iter().fold(Gathered::default(), |all, chunk| all.joined(chunk));
-    let mut hints = gathered.orientations.hints();
-    for (sums, part) in gathered.sums.iter().zip([Part::Position, Part::Velocity, Part::Spin]) {
-        hints.extend(sums.hints(part));
+    let readings = pieces.iter().fold(Readings::none(), Readings::joined);
+    if readings.unit > UNIT {
+        let off = readings.unit;
+        notes.push(format!("quaternions are off unit length by up to {off:.2e} and were normalised"));
     }
-    let mut notes = Vec::new();
-    if gathered.unit > UNIT {
-        notes.push(format!(
-            "quaternions are off unit length by up to {:.2e} and were normalised",
-            gathered.unit
-        ));
-    }
-    let mut findings = errors(&reader, track, &gathered);
-    findings.extend(drifts(&reader, &gathered));
-    Measured { findings, hints, notes, orientations_agree: gathered.orientations.agree() }
-}
-
-fn errors(reader: &Reader, track: Result<&Track, &String>, gathered: &Gathered) -> Vec<Finding> {
-    let finding = |quantity: Quantity| Finding {
-        name: quantity.name(),
-        unit: quantity.unit(),
+    let uncertainty = track.map(|track| track.uncertainty).unwrap_or(PerQuantity::all(f64::NAN));
+    let finding = |name, unit, needed, extreme: &Extreme, uncertainty| Finding {
+        name,
+        unit,
         value: match track {
             Err(why) => Err(format!("no reference: {why}")),
-            Ok(track) => reader.needs(parts_of(quantity)).map(|()| Value {
-                end: gathered.end.0[quantity],
-                max: gathered.errors[quantity],
-                uncertainty: track.uncertainty[quantity],
-            }),
+            Ok(_) => reader.value(needed, extreme, uncertainty),
         },
     };
-    Quantity::ALL.into_iter().map(finding).collect()
+    let errors = Quantity::ALL
+        .into_iter()
+        .map(|q| finding(q.name(), q.unit(), parts_of(q), &readings.errors[q], uncertainty[q]));
+    // A metric is a ratio or an angle: the relative uncertainties of what it is made of.
+    let relative = relative(reader.system, &grid, &uncertainty);
+    let metrics = metrics().zip(&readings.metrics).map(|(metric, extreme)| {
+        finding(metric.name, metric.unit, reader.parts_of_metric(metric), extreme, relative)
+    });
+    errors.chain(metrics).collect()
 }
 
-fn parts_of(quantity: Quantity) -> &'static [Part] {
-    match quantity {
+fn relative(system: &System, grid: &[Snapshot], uncertainty: &PerQuantity<f64>) -> f64 {
+    let sizes = crate::model::sizes(system, grid);
+    let over = |q: Quantity| if sizes[q] > 0.0 { uncertainty[q] / sizes[q] } else { 0.0 };
+    2.0 * (over(Quantity::AngularVelocity) + over(Quantity::Orientation) + over(Quantity::Velocity))
+        + f64::EPSILON
+}
+
+/// What an error of a quantity needs.
+pub(super) fn parts_of(quantity: Quantity) -> Parts {
+    Parts::of(match quantity {
         Quantity::Position => &[Part::Position],
         Quantity::Velocity => &[Part::Velocity],
         Quantity::Orientation => &[Part::Orientation],
         Quantity::AngularVelocity => &[Part::Spin],
         Quantity::AngularMomentum => &[Part::Orientation, Part::Spin],
         Quantity::BodyPoint => &[Part::Position, Part::Orientation],
-    }
+    })
 }
 
-fn drifts(reader: &Reader, gathered: &Gathered) -> Vec<Finding> {
-    let system = reader.system;
-    let first = reader.first.map_or(0.0, |first| rotation::length(&first.momentum));
-    let turning = |scale: f64| {
-        if !system.torque_free() {
-            return Err("a torque acts: L is not conserved".to_owned());
-        }
-        reader.needs(&[Part::Orientation, Part::Spin])?;
-        if scale == 0.0 { Err("L is zero in the first row".to_owned()) } else { Ok(scale) }
-    };
-    let energy = if system.forces.conservative() {
-        let translation: &[Part] = if system.body.pivoted { &[] } else { &[Part::Velocity] };
-        let forces: &[Part] = if system.forces.laws().is_empty() { &[] } else { &[Part::Position] };
-        let needed = [translation, forces, &[Part::Orientation, Part::Spin]].concat();
-        let moves =
-            if gathered.kinetic > 0.0 { Ok(gathered.kinetic) } else { Err("nothing moves".to_owned()) };
-        reader.needs(&needed).and(moves)
-    } else {
-        Err("a law does not conserve the energy".to_owned())
-    };
-    let scales = [energy, turning(first), turning(first).map(|_| 1.0)];
-    let rounding = f64::EPSILON;
-    DRIFTS
-        .iter()
-        .zip(scales)
-        .enumerate()
-        .map(|(index, ((name, unit), scale))| Finding {
-            name,
-            unit,
-            value: scale.map(|scale| Value {
-                end: gathered.end.1[index] / scale,
-                max: gathered.drifts[index] / scale,
-                uncertainty: rounding,
-            }),
-        })
-        .collect()
+/// The rows of a piece that have some parts, after the samples of the reference.
+struct Whole {
+    parts: Parts,
+    states: Vec<Snapshot>,
+    reference: Reference,
+    /// The last of these rows in the piece.
+    last: Option<usize>,
+}
+
+impl Whole {
+    fn of(
+        parts: Parts,
+        grid: &[Snapshot],
+        rows: &[Row],
+        (states, truth): (&[Snapshot], &[Snapshot]),
+    ) -> Whole {
+        let has = |index: &usize| parts != Parts::default() && rows[*index].parts.covers(parts);
+        let whole: Vec<usize> = (0..rows.len()).filter(has).collect();
+        let pick =
+            |of: &[Snapshot]| grid.iter().copied().chain(whole.iter().map(|index| of[*index])).collect();
+        let (times, uncertainty, sources) = (Vec::new(), Vec::new(), Vec::new());
+        let reference = Reference { times, states: pick(truth), uncertainty, sources };
+        Whole { parts, states: pick(states), reference, last: whole.last().copied() }
+    }
 }
 
 impl Reader<'_> {
-    fn needs(&self, parts: &[Part]) -> Result<(), String> {
-        let missing = |part: &&Part| !self.log.has(**part);
-        let columns = |part: &Part| super::file::COLUMNS[part.columns()].join(", ");
-        match parts.iter().find(missing) {
-            Some(part) => Err(format!("it needs {}", columns(part))),
-            None => Ok(()),
+    fn parts_of_metric(&self, metric: &Metric) -> Parts {
+        let free = !self.system.body.pivoted;
+        match metric.name {
+            "total-energy" if free && self.system.forces.laws().is_empty() => {
+                Parts::of(&[Part::Velocity, Part::Orientation, Part::Spin])
+            }
+            "total-energy" if free => Parts::of(&Part::ALL),
+            _ => Parts::of(&[Part::Orientation, Part::Spin]),
         }
     }
 
-    fn gather(&self, rows: &[Row], from: usize) -> Gathered {
-        let mut gathered = Gathered::default();
-        for (index, row) in rows.iter().enumerate() {
-            let truth = self.track.map(|track| track.at(from + index, row.time()));
-            let state = self.snapshot(row, truth.as_ref());
-            let mut errors = PerQuantity::all(0.0);
-            if let Some(truth) = &truth {
-                errors = difference(&self.system.body, &state, truth);
-                gathered.hold(self, row, &state, truth);
-            }
-            let drifts = self.first.map_or([0.0; 3], |first| gathered.drift(&first, &self.conserved(&state)));
-            gathered.hold_largest(errors, drifts);
-            gathered.end = (errors, drifts);
+    fn value(&self, needed: Parts, extreme: &Extreme, uncertainty: f64) -> Result<Value, String> {
+        if let Some(part) = self.log.parts.missing(needed) {
+            return Err(format!("it needs {}", super::row::COLUMNS[part.columns()].join(", ")));
         }
-        gathered
+        if extreme.rows == 0 {
+            return Err(match needed.each().find(|part| self.log.lacking[*part as usize] > 0) {
+                Some(part) => format!("no row has the {} that it needs", part.word()),
+                None => "this motion has none".to_owned(),
+            });
+        }
+        let all = self.log.rows.len();
+        Ok(Value {
+            end: (extreme.last + 1 == all).then_some(extreme.end),
+            max: extreme.max,
+            time: extreme.at,
+            rows: extreme.rows,
+            uncertainty,
+        })
+    }
+
+    fn readings(&self, track: &Track, grid: &[Snapshot], rows: &[Row], from: usize) -> Readings {
+        let mut readings = Readings::none();
+        let truth: Vec<Snapshot> =
+            rows.iter().enumerate().map(|(index, row)| track.at(from + index, row.time())).collect();
+        let states: Vec<Snapshot> =
+            rows.iter().zip(&truth).map(|(row, truth)| self.snapshot(row, Some(truth))).collect();
+        for (index, (row, (state, truth))) in rows.iter().zip(states.iter().zip(&truth)).enumerate() {
+            for (quantity, apart) in difference(&self.system.body, state, truth) {
+                if row.parts.covers(parts_of(quantity)) {
+                    readings.errors[quantity].push(apart, row.time(), from + index);
+                }
+            }
+            if row.parts.has(Part::Orientation) {
+                let squared: f64 = row.numbers::<4>(Part::Orientation).iter().map(|x| x * x).sum();
+                readings.unit = readings.unit.max((squared.sqrt() - 1.0).abs());
+            }
+        }
+        let mut whole = Whole::of(Parts::default(), grid, rows, (&states, &truth));
+        for (metric, extreme) in metrics().zip(&mut readings.metrics) {
+            let needed = self.parts_of_metric(metric);
+            if whole.parts != needed {
+                whole = Whole::of(needed, grid, rows, (&states, &truth));
+            }
+            let sight = Sight { system: self.system, reference: &whole.reference, states: &whole.states };
+            if let (Some(last), Some(reading)) = (whole.last, metric.measure(&sight)) {
+                // A metric does not say where its largest is.
+                let (max, end, rows) = (reading.max, reading.end, whole.states.len() - grid.len());
+                extreme.join(&Extreme { max, at: f64::NAN, end, last: from + last, rows });
+            }
+        }
+        readings
+    }
+
+    /// A row as a start. An angular velocity that the log does not have is the scene's own, turned along with the body.
+    pub fn start(&self, row: &Row, own: &Snapshot) -> Snapshot {
+        let mut state = self.snapshot(row, Some(own));
+        if !row.parts.has(Part::Spin) {
+            let turn = state.orientation * own.orientation.inverse();
+            state.angular_velocity = turn * own.angular_velocity;
+            state.angular_momentum = turn * own.angular_momentum;
+        }
+        state
     }
 
     /// A row as a state in world axes; what it does not have is the reference's.
-    fn snapshot(&self, row: &Row, truth: Option<&Snapshot>) -> Snapshot {
-        let zero = Vector3::zeros();
-        let vector = |part, other: fn(&Snapshot) -> Vector3<f64>| {
-            if self.log.has(part) { Vector3::from(row.numbers(part)) } else { truth.map_or(zero, other) }
+    pub fn snapshot(&self, row: &Row, truth: Option<&Snapshot>) -> Snapshot {
+        self.snapshot_under(self.declared, row, truth)
+    }
+
+    /// The same under another convention.
+    pub fn snapshot_under(&self, convention: Convention, row: &Row, truth: Option<&Snapshot>) -> Snapshot {
+        let start = &self.system.start;
+        let vector = |part, other: Option<nalgebra::Vector3<f64>>| {
+            if row.parts.has(part) { row.vector(part) } else { other.unwrap_or_default() }
         };
-        let orientation = if self.log.has(Part::Orientation) {
-            self.declared.orientation(row)
-        } else {
-            truth.map_or(Rotation::identity(), |truth| truth.orientation)
+        let orientation = match truth {
+            _ if row.parts.has(Part::Orientation) => convention.orientation(row),
+            Some(truth) => truth.orientation,
+            None => Rotation::identity(),
         };
-        let written = vector(Part::Spin, |truth| truth.angular_velocity);
-        let in_body_axes = self.declared.spin_in_body_axes && self.log.has(Part::Spin);
+        let written = vector(Part::Spin, truth.map(|truth| truth.angular_velocity));
+        let in_body_axes = convention.spin_in_body_axes && row.parts.has(Part::Spin);
         let spin = if in_body_axes { orientation * written } else { written };
         let inertia = self.system.body.inertia;
         Snapshot {
             time: row.time(),
-            position: vector(Part::Position, |truth| truth.position),
-            velocity: vector(Part::Velocity, |truth| truth.velocity),
+            position: vector(Part::Position, Some(truth.map_or(start.position, |truth| truth.position))),
+            velocity: vector(Part::Velocity, Some(truth.map_or(start.velocity, |truth| truth.velocity))),
             orientation,
             angular_velocity: spin,
             angular_momentum: orientation * (inertia * orientation.inverse_transform_vector(&spin)),
             stretch: 0.0,
         }
     }
-
-    fn conserved(&self, state: &Snapshot) -> Conserved {
-        let conservative = !self.system.forces.laws().is_empty() && self.system.forces.conservative();
-        let potential = if conservative { self.system.potential_energy(state) } else { None };
-        Conserved {
-            kinetic: self.system.kinetic_energy(state),
-            potential: potential.unwrap_or(0.0),
-            momentum: state.angular_momentum,
-        }
-    }
 }
 
-impl Gathered {
-    fn drift(&mut self, first: &Conserved, now: &Conserved) -> [f64; 3] {
-        self.kinetic = self.kinetic.max(now.kinetic);
-        [
-            (now.kinetic + now.potential - first.kinetic - first.potential).abs(),
-            (rotation::length(&now.momentum) - rotation::length(&first.momentum)).abs(),
-            rotation::angle_between_directions(&now.momentum, &first.momentum),
-        ]
-    }
-
-    fn hold_largest(&mut self, errors: PerQuantity<f64>, drifts: [f64; 3]) {
-        self.errors = self.errors.zip(errors).map(|(largest, error)| larger(largest, error));
-        self.drifts = std::array::from_fn(|index| larger(self.drifts[index], drifts[index]));
-    }
-
-    /// Takes a row for the hints.
-    fn hold(&mut self, reader: &Reader, row: &Row, state: &Snapshot, truth: &Snapshot) {
-        self.sums[0].push(&state.position, &truth.position);
-        self.sums[1].push(&state.velocity, &truth.velocity);
-        self.sums[2].push(&state.angular_velocity, &truth.angular_velocity);
-        if !reader.log.has(Part::Orientation) {
-            return;
-        }
-        let [w, x, y, z] = row.numbers(Part::Orientation);
-        let length = Quaternion::new(w, x, y, z).norm();
-        self.unit = self.unit.max((length - 1.0).abs());
-        let last = Rotation::new_normalize(Quaternion::new(z, w, x, y));
-        let last = if reader.declared.world_to_body { last.inverse() } else { last };
-        let squared = |q: &Rotation| rotation::angle_between(q, &truth.orientation).powi(2);
-        self.orientations.add(&Orientations {
-            written: squared(&state.orientation),
-            scalar_last: squared(&last),
-            inverted: squared(&state.orientation.inverse()),
-            rows: 1.0,
-        });
-    }
-
-    fn joined(mut self, other: &Gathered) -> Gathered {
-        self.hold_largest(other.errors, other.drifts);
-        self.kinetic = self.kinetic.max(other.kinetic);
-        self.sums.iter_mut().zip(&other.sums).for_each(|(a, b)| a.add(b));
-        self.orientations.add(&other.orientations);
-        self.unit = self.unit.max(other.unit);
-        self.end = other.end;
-        self
-    }
-}
-
-/// The larger one; NaN where the second is.
-fn larger(a: f64, b: f64) -> f64 {
-    if b.is_nan() { f64::NAN } else { a.max(b) }
+/// Largest |Ω| of a motion [rad/s].
+pub(super) fn fastest(states: &[Snapshot]) -> f64 {
+    states.iter().map(|state| rotation::length(&state.angular_velocity)).fold(0.0, f64::max)
 }

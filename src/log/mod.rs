@@ -1,25 +1,38 @@
 //! A trajectory that another program wrote, held against the reference of its scene at its own times.
 //!
-//! Errors at the end and the largest, drift of what is conserved, the convention that the log follows, and
-//! hints at what it may have meant. Columns may be missing; what needs them is then not applicable, with the
-//! reason.
+//! Errors at the end and the largest, the metrics of a run, the convention that the log follows, and the fixed change that explains it.
+//! Columns may be missing; what needs them is then not applicable, with the reason.
 
+mod columns;
+mod euler;
+mod explain;
 mod file;
 mod frames;
-mod hints;
+mod layout;
 mod measure;
+mod row;
+mod said;
+mod series;
 mod times;
 mod track;
+mod units;
+mod verdict;
 
 use std::path::Path;
 
 pub use crate::bounded::FileError;
-use crate::record::{ClaimName, Measurement, Ruling, RunStatus, Verdict};
 use crate::scenes::Scene;
 
+pub use euler::Sequence;
+pub use explain::{Change, Explanation};
 pub use frames::{Convention, Fit, FrameCheck};
+pub use said::{Columns, Said};
+pub use series::{Deviation, Series};
+pub use units::{AngleUnit, TimeUnit};
+pub use verdict::Verdict;
 
-use file::{Log, Part};
+use measure::Reader;
+use row::{Log, Part, Parts};
 use track::Track;
 
 /// Durations of the scene after which a log is no longer compared with it.
@@ -39,17 +52,40 @@ pub struct Finding {
 /// The two values of a finding.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Value {
-    /// At the last row.
-    pub end: f64,
+    /// At the last row of the log; `None` where that row lacks what it needs.
+    pub end: Option<f64>,
     /// The largest over the rows.
     pub max: f64,
+    /// Time of the largest [s]; NaN for a metric.
+    pub time: f64,
+    /// Rows that have what it needs.
+    pub rows: usize,
     /// Uncertainty of the reference.
     pub uncertainty: f64,
+}
+
+/// How a log is to be judged.
+#[derive(Clone, Debug, Default)]
+pub struct Request {
+    /// What the user says about the file.
+    pub said: Said,
+    /// Axes of angular velocities, where the user says them.
+    pub spin_in_body_axes: Option<bool>,
+    /// Sense of quaternions, where the user says it.
+    pub world_to_body: Option<bool>,
+    /// Read the log by the convention that it follows.
+    pub as_found: bool,
+    /// Keep the errors of every row.
+    pub series: bool,
+    /// Row, from 1, at which the reference starts; at the scene's own start where there is none.
+    pub from_log: Option<usize>,
 }
 
 /// All that is to be said about a log.
 #[derive(Clone, Debug)]
 pub struct Judgement {
+    /// How the file was read.
+    pub reading: String,
     /// Rows judged.
     pub rows: usize,
     /// First and last time [s].
@@ -58,14 +94,16 @@ pub struct Judgement {
     pub spacing: f64,
     /// How the reference was made, or why there is none.
     pub reference: Result<String, String>,
-    /// Errors and drifts.
+    /// Errors and metrics.
     pub findings: Vec<Finding>,
-    /// What the user said the log follows.
+    /// The convention by which the log was read.
     pub declared: Convention,
     /// What it follows.
     pub frames: FrameCheck,
-    /// What it may have meant.
-    pub hints: Vec<String>,
+    /// Errors of every row, where they were asked for and there is a reference.
+    pub series: Series,
+    /// The fixed changes that explain the log.
+    pub explanations: Vec<Explanation>,
     /// Missing columns, gaps, rows left out.
     pub notes: Vec<String>,
 }
@@ -74,126 +112,152 @@ pub struct Judgement {
 ///
 /// # Errors
 /// [`FileError`]: it cannot be read, or is no trajectory.
-pub fn judge(path: &Path, scene: &Scene, declared: Convention) -> Result<Judgement, FileError> {
-    judge_log(file::read(path)?, scene, declared).map_err(|why| FileError::Content {
+pub fn judge(path: &Path, scene: &Scene, request: &Request) -> Result<Judgement, FileError> {
+    judge_log(file::read(path, &request.said)?, scene, request).map_err(|why| FileError::Content {
         file: path.display().to_string(),
         line: 2,
         why,
     })
 }
 
-fn judge_log(mut log: Log, scene: &Scene, declared: Convention) -> Result<Judgement, String> {
-    let all = log.rows.len();
-    log.rows.retain(|row| row.time() >= 0.0);
-    if log.rows.is_empty() {
-        return Err("every time is before 0: times count from the start of the motion".to_owned());
-    }
-    if log.rows.len() < all {
-        log.notes.push(format!("{} rows are before t = 0 and were left out", all - log.rows.len()));
-    }
-    let times: Vec<f64> = log.rows.iter().map(file::Row::time).collect();
-    let examined = times::examine(&log.rows);
-    let both = log.has(Part::Orientation) && log.has(Part::Spin);
-    let last = times.iter().copied().fold(0.0, f64::max);
-    let track = if last > LONGEST * scene.duration {
-        Err(format!("the log goes on for more than {LONGEST} durations of the scene"))
-    } else {
-        Track::of(&scene.system, &times).map_err(|error| error.to_string())
-    };
-    let measured = measure::measure(&log, scene, track.as_ref(), declared);
-    let frames = frames::check(&log.rows, both, measured.orientations_agree.then_some(declared));
-    let mut hints = hints::of_frames(&frames);
-    hints.extend(hints::of_times(last, scene.duration));
-    hints.extend(measured.hints);
-    log.notes.extend(examined.notes);
-    log.notes.extend(measured.notes);
-    Ok(Judgement {
-        rows: log.rows.len(),
-        span: (times[0], times[times.len() - 1]),
-        spacing: examined.spacing,
-        reference: track.map(|track| track.told),
-        findings: measured.findings,
-        declared,
-        frames,
-        hints,
-        notes: log.notes,
+/// Judges the text of a file.
+///
+/// # Errors
+/// [`FileError`]: it is no trajectory.
+pub fn judge_text(text: &str, scene: &Scene, request: &Request) -> Result<Judgement, FileError> {
+    judge_log(file::parse(text, "log", &request.said)?, scene, request).map_err(|why| FileError::Content {
+        file: "log".to_owned(),
+        line: 2,
+        why,
     })
 }
 
-impl Judgement {
-    /// The convention that the log follows, where it is another than was said.
-    pub fn contradicted(&self) -> Option<Convention> {
-        hints::followed(&self.frames).filter(|followed| *followed != self.declared)
+fn judge_log(mut log: Log, scene: &Scene, request: &Request) -> Result<Judgement, String> {
+    let mut declared = Convention {
+        spin_in_body_axes: request.spin_in_body_axes.unwrap_or(log.reading.spin_in_body_axes),
+        world_to_body: request.world_to_body.unwrap_or(false),
+    };
+    if request.spin_in_body_axes.is_none() && declared.spin_in_body_axes {
+        log.notes.push("angular velocities are in body axes, as the names of the columns say".to_owned());
     }
-
-    /// The findings as rows of records; `name` stands for the log.
-    pub fn measurements(&self, scene: &Scene, name: &str) -> Vec<Measurement> {
-        let row = |finding: &Finding, place: &str, value: Option<f64>| Measurement {
-            scene: scene.name.clone(),
-            scheme: name.to_owned(),
-            model: "log".to_owned(),
-            step_s: self.spacing,
-            steps: self.rows as u64 - 1,
-            metric: format!("{}-{place}", finding.name),
-            value: value.filter(|value| value.is_finite()),
-            unit: finding.unit.to_owned(),
-            uncertainty: finding.value.as_ref().ok().map(|value| value.uncertainty),
-            status: if finding.value.is_ok() { RunStatus::Ok } else { RunStatus::NotApplicable },
-            why: finding.value.as_ref().err().cloned(),
-            ..Measurement::default()
-        };
-        let both = |finding: &Finding| {
-            let value = finding.value.as_ref().ok();
-            [row(finding, "end", value.map(|v| v.end)), row(finding, "max", value.map(|v| v.max))]
-        };
-        self.findings.iter().flat_map(both).collect()
+    leave_out(&mut log, |row| row.time() >= 0.0, "are before t = 0")?;
+    let mut scene = scene.clone();
+    if let Some(row) = request.from_log {
+        start_at(&mut scene, &mut log, row, declared)?;
     }
-
-    /// The frame check as a verdict.
-    pub fn verdict(&self, scene: &Scene, name: &str) -> Verdict {
-        let verdict = match &self.frames {
-            FrameCheck::Follows(_) if self.contradicted().is_some() => Ruling::Fail,
-            FrameCheck::Alike(fits) if fits.iter().any(|fit| fit.convention == self.declared) => Ruling::Pass,
-            FrameCheck::Follows(_) => Ruling::Pass,
-            FrameCheck::Alike(_) | FrameCheck::None(_) => Ruling::Inconclusive,
-            FrameCheck::Nothing(_) => Ruling::NotApplicable,
-        };
-        Verdict {
-            scene: scene.name.clone(),
-            scheme: name.to_owned(),
-            claim: ClaimName::Frames,
-            quantity: "angular-velocity".to_owned(),
-            verdict,
-            detail: self.frames_in_words(),
-            ..Verdict::default()
+    let track = track(&scene, &log);
+    if request.as_found {
+        let (_, frames) = compared(&log, &scene, track.as_ref(), declared, &mut Vec::new());
+        if let FrameCheck::Follows(fit) = frames {
+            declared = fit.convention;
         }
     }
+    let examined = times::examine(&log.rows);
+    let mut notes = std::mem::take(&mut log.notes);
+    notes.extend(examined.notes);
+    let (findings, frames) = compared(&log, &scene, track.as_ref(), declared, &mut notes);
+    let reader = Reader { log: &log, system: &scene.system, declared };
+    let explanations = explanations(&reader, &scene);
+    let series = match &track {
+        Ok(track) if request.series => series::series(&reader, track),
+        _ => Series::default(),
+    };
+    Ok(Judgement {
+        reading: log.reading.words.clone(),
+        rows: log.rows.len(),
+        span: (log.rows[0].time(), log.rows[log.rows.len() - 1].time()),
+        spacing: examined.spacing,
+        reference: track.map(|track| track.told),
+        findings,
+        declared,
+        frames,
+        series,
+        explanations,
+        notes,
+    })
+}
 
-    /// What the frame check found.
-    pub fn frames_in_words(&self) -> String {
-        let told = |fit: &Fit| {
-            format!(
-                "{} (dq/dt = {:.6} × ½ w q, {:.1e} of it left)",
-                fit.convention.words(),
-                fit.factor,
-                fit.left
-            )
-        };
-        match &self.frames {
-            FrameCheck::Nothing(why) => format!("no frame check: {why}"),
-            FrameCheck::None(best) => format!("the log follows no convention; the nearest is {}", told(best)),
-            FrameCheck::Alike(fits) => format!(
-                "this motion does not tell apart {}",
-                fits.iter().map(told).collect::<Vec<_>>().join(" and ")
-            ),
-            FrameCheck::Follows(fit) if fit.convention == self.declared => {
-                format!("the log follows {}, as was said", told(fit))
-            }
-            FrameCheck::Follows(fit) => format!(
-                "the log follows {}, and not {} as was said: the errors below are those of a misread log",
-                told(fit),
-                self.declared.words()
-            ),
+/// What explains the log, where anything needs to be explained.
+fn explanations(reader: &Reader, scene: &Scene) -> Vec<Explanation> {
+    let last = reader.log.rows.iter().map(row::Row::time).fold(0.0, f64::max);
+    // A log that starts late, or in another unit of time, is looked for within twice its length or the scene's.
+    let last = if last > LONGEST * scene.duration { scene.duration } else { last.max(scene.duration) };
+    let last = 2.0 * last;
+    match Track::dense(&scene.system, last) {
+        Ok(track) => explain::explain(*reader, &track),
+        Err(_) => Vec::new(),
+    }
+}
+
+fn leave_out(log: &mut Log, keep: impl Fn(&row::Row) -> bool, why: &str) -> Result<(), String> {
+    let all = log.rows.len();
+    log.rows.retain(keep);
+    match all - log.rows.len() {
+        0 => Ok(()),
+        count if count == all => Err(format!("all rows {why}: times count from the start of the motion")),
+        count => {
+            log.notes.push(format!("{count} rows {why} and were left out"));
+            Ok(())
         }
     }
+}
+
+fn track(scene: &Scene, log: &Log) -> Result<Track, String> {
+    let times: Vec<f64> = log.rows.iter().map(row::Row::time).collect();
+    let last = times.iter().copied().fold(0.0, f64::max);
+    if last > LONGEST * scene.duration {
+        return Err(format!(
+            "the log ends at t = {last} s, after more than {LONGEST} durations of the scene ({} s)",
+            scene.duration
+        ));
+    }
+    Track::of(&scene.system, &times).map_err(|error| error.to_string())
+}
+
+/// The findings and the frame check under a convention.
+fn compared(
+    log: &Log,
+    scene: &Scene,
+    track: Result<&Track, &String>,
+    declared: Convention,
+    notes: &mut Vec<String>,
+) -> (Vec<Finding>, FrameCheck) {
+    let reader = Reader { log, system: &scene.system, declared };
+    let findings = measure::measure(&reader, track, notes);
+    let agree = findings.iter().any(|finding| {
+        let small = |value: &Value| value.max <= ORIENTATIONS_AGREE;
+        finding.name == "orientation" && finding.value.as_ref().is_ok_and(small)
+    });
+    let both = log.parts.covers(Parts::of(&[Part::Orientation, Part::Spin]));
+    let fastest = track.map_or(0.0, |track| measure::fastest(&track.samples()));
+    let frames = frames::check(&log.rows, both, agree.then_some(declared), fastest);
+    (findings, frames)
+}
+
+/// Largest orientation error [rad] at which the sense of a quaternion is known: the conjugate is farther off once a body has turned by
+/// twice as much.
+const ORIENTATIONS_AGREE: f64 = 0.1;
+
+/// Starts the scene at a row of the log.
+fn start_at(scene: &mut Scene, log: &mut Log, row: usize, declared: Convention) -> Result<(), String> {
+    let Some(first) = row.checked_sub(1).and_then(|index| log.rows.get(index)).copied() else {
+        return Err(format!("--from-log {row}: there are {} rows", log.rows.len()));
+    };
+    if first.time() > 0.0 && scene.system.forces.fastest_clock() > 0.0 {
+        return Err(format!(
+            "--from-log {row}: the forces depend on the time, and the row is at t = {} s",
+            first.time()
+        ));
+    }
+    let own = Track::of(&scene.system, &[0.0]).map_err(|error| error.to_string())?.at(0, 0.0);
+    let reader = Reader { log, system: &scene.system, declared };
+    if let Some(part) = log.parts.each().find(|part| !first.parts.has(*part)) {
+        return Err(format!("--from-log {row}: the row has no {}", part.word()));
+    }
+    let start = reader.start(&first, &own);
+    scene.system = scene.system.started_at(&start);
+    log.rows.drain(..row - 1);
+    log.rows.iter_mut().for_each(|row| row.values[0] -= first.time());
+    log.notes.push(format!("the reference starts at row {row} of the log, at t = {} s", first.time()));
+    Ok(())
 }

@@ -1,6 +1,6 @@
 //! The times of a log: their spacing, gaps, repeats and steps back.
 
-use super::file::Row;
+use super::row::Row;
 
 /// Times the usual spacing from which on a pause is a gap.
 const GAP: f64 = 3.0;
@@ -29,7 +29,6 @@ pub(super) fn examine(rows: &[Row]) -> Times {
             odd.len()
         ));
     };
-    note("times go back", &|by| by < 0.0);
     note("times are those of the row before", &|by| by == 0.0);
     note("gaps", &|by| by > GAP * spacing);
     if rows.len() == 1 {

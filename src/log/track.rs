@@ -90,6 +90,37 @@ impl Track {
         }
     }
 
+    /// The motion from 0 to `last` [s] at any time.
+    pub fn dense(system: &System, last: f64) -> Result<Track, ReferenceError> {
+        let reference = Reference::of_solvers(system, last, SAMPLES)?;
+        Track::of_nodes(system, last, &reference)
+    }
+
+    /// Some states of the motion, from its start to its end.
+    pub fn samples(&self) -> Vec<Snapshot> {
+        match &self.kind {
+            Kind::Solved(states) => states.iter().copied().step_by((states.len() / SAMPLES).max(1)).collect(),
+            Kind::Nodes(nodes, spacing) => {
+                let stride = (nodes.len() / SAMPLES).max(1);
+                let state = |(index, numbers): (usize, &Numbers)| snapshot(index as f64 * spacing, numbers);
+                nodes.iter().enumerate().step_by(stride).map(state).collect()
+            }
+        }
+    }
+
+    /// The last time that [`Track::truth`] is good for [s].
+    pub fn last(&self) -> f64 {
+        match &self.kind {
+            Kind::Solved(states) => states.last().map_or(0.0, |state| state.time),
+            Kind::Nodes(nodes, spacing) => (nodes.len() - 1) as f64 * spacing,
+        }
+    }
+
+    /// The motion at any time of a track of nodes.
+    pub fn truth(&self, time: f64) -> Snapshot {
+        self.at(0, time)
+    }
+
     /// The motion at a row of the log: its index among the times, and its time [s].
     pub fn at(&self, index: usize, time: f64) -> Snapshot {
         match &self.kind {

@@ -30,9 +30,29 @@ const TOLERANCE: std::ops::RangeInclusive<f64> = 1e-12..=0.1;
 /// Steps of the runs of a steady spin beside its ladder: exact is exact at every step.
 const GIANT_STEPS: [u64; 4] = [1, 3, 5, 7];
 
+/// What a user wants of a ladder, in steps of a run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Bounds {
+    /// Steps of the first run, a power of two.
+    pub coarsest: Option<u64>,
+    /// Most steps of a run.
+    pub finest: Option<u64>,
+}
+
 /// Runs a ladder. `order` is the claimed one, 0 where none is claimed: a ladder whose orders are below it goes on to the finest steps. Without
 /// it, as in a scene that carries no order, the ladder does not.
 pub fn climb(contestant: &Contestant, system: &System, reference: &Reference, order: Option<u32>) -> Climbed {
+    climb_within(contestant, system, reference, order, Bounds::default())
+}
+
+/// The same within bounds.
+pub fn climb_within(
+    contestant: &Contestant,
+    system: &System,
+    reference: &Reference,
+    order: Option<u32>,
+    bounds: Bounds,
+) -> Climbed {
     let phase = phase(system, reference);
     // Sample times cut the steps of a solver that chooses them: it is asked at the end.
     let quarters = if contestant.chooses_steps() { 0 } else { quarters(reference, phase) };
@@ -47,7 +67,7 @@ pub fn climb(contestant: &Contestant, system: &System, reference: &Reference, or
         truth: Vec::new(),
     };
     let precise = Precise::new(contestant, &truth);
-    let steps = steps(contestant, phase, order.unwrap_or_default());
+    let steps = steps(contestant, phase, order.unwrap_or_default(), bounds);
     for steps in steps.iter().copied() {
         let (rung, shown, states) = truth.run(contestant, steps, &mut climbed.ladder);
         climbed.ladder.rungs.push(rung);
@@ -99,10 +119,11 @@ fn quarters(reference: &Reference, phase: f64) -> u32 {
 
 /// The steps of the runs, each twice as many as before, and from [`HIGH_ORDER`] on 3/2 and 4/3 times as many by turns; so are those of a solver
 /// that chooses its own, which name its tolerances alone.
-fn steps(contestant: &Contestant, phase: f64, order: u32) -> Vec<u64> {
+fn steps(contestant: &Contestant, phase: f64, order: u32, bounds: Bounds) -> Vec<u64> {
     let least = (phase / COARSEST_TURN).min(contestant.most_steps() as f64).ceil() as u64;
-    let first = least.next_power_of_two().max(FEWEST_STEPS);
+    let first = bounds.coarsest.unwrap_or(least.next_power_of_two()).max(FEWEST_STEPS);
     let most = MOST_STEPS.max(first << MOST_HALVINGS).min(contestant.most_steps());
+    let most = bounds.finest.map_or(most, |finest| finest.max(first));
     let halved = std::iter::successors(Some(first), |steps| Some(2 * steps));
     // The first has no middle in which every sample time ends a step.
     let middle = |steps: u64| (steps > first).then_some(3 * steps / 2);

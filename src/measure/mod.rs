@@ -24,7 +24,8 @@ use crate::reference::Reference;
 use crate::simulate::{Contestant, Form, Plan};
 
 pub(crate) use crate::model::copies::CLEAR;
-pub(crate) use climb::climb;
+pub use climb::Bounds;
+pub(crate) use climb::{climb, climb_within};
 pub(crate) use drift::energy_drift;
 pub(crate) use flips::{FlipFinder, flips, true_flips, tumbling_axis};
 pub(crate) use invariance::other_worlds;

@@ -13,7 +13,7 @@ use crate::simulate::{Arithmetic, Contestant, Form, Plan};
 /// Most steps of one way in f64 …
 const STEPS: u64 = 4096;
 /// … and in double-double.
-const PRECISE_STEPS: u64 = 256;
+const PRECISE_STEPS: u64 = 64;
 /// States of one way that say how large everything gets.
 const SAMPLES: u64 = 16;
 

@@ -27,7 +27,7 @@ pub(crate) const LARGEST_CONDITION: f64 = 1e12;
 /// One mass point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MassPoint<T: Real = f64> {
-    /// Mass [kg], positive.
+    /// Mass [kg], positive; zero of a point that carries forces alone.
     pub mass: T,
     /// Position [m], body axes, relative to the origin.
     pub position: Vector3<T>,
@@ -79,6 +79,18 @@ impl Body {
         given: &[MassPoint],
         pivot: Option<Vector3<f64>>,
     ) -> Result<(Body, Vector3<f64>), BodyError> {
+        Body::with_massless(given, &[], pivot)
+    }
+
+    /// The same with massless points [m], in the same frame, which carry forces alone. They come after the mass points.
+    ///
+    /// # Errors
+    /// [`BodyError`].
+    pub fn with_massless(
+        given: &[MassPoint],
+        massless: &[Vector3<f64>],
+        pivot: Option<Vector3<f64>>,
+    ) -> Result<(Body, Vector3<f64>), BodyError> {
         if given.is_empty() {
             return Err(BodyError::Empty);
         }
@@ -91,10 +103,14 @@ impl Body {
         let center_given = given.iter().map(|p| p.position * (p.mass / mass)).sum::<Vector3<f64>>();
         let origin = pivot.unwrap_or(center_given);
         let rounding = 16.0 * f64::EPSILON * given.iter().map(|p| p.position.amax()).fold(0.0, f64::max);
-        let points: Vec<_> =
+        let mut points: Vec<_> =
             given.iter().map(|p| MassPoint { mass: p.mass, position: p.position - origin }).collect();
         let extent = points.iter().map(|p| p.position.amax()).fold(0.0, f64::max);
         let shape = if extent <= rounding { Shape::Point } else { shape_of_points(&points, rounding) };
+        if !massless.is_empty() && shape != Shape::Extended {
+            return Err(BodyError::Massless);
+        }
+        points.extend(massless.iter().map(|place| MassPoint { mass: 0.0, position: place - origin }));
         let center = if pivot.is_some() { center_given - origin } else { Vector3::zeros() };
         let body = Body::assemble(mass, inertia_of(&points), center, shape, pivot.is_some(), points)?;
         Ok((body, center_given))

@@ -63,6 +63,12 @@ impl<T: Real> Model for Forced<T> {
         }
     }
 
+    fn pieces(&self) -> Vec<(T, Forced<T>)> {
+        let in_piece =
+            |(end, forces): &(T, Forces<T>)| (*end, Forced { forces: forces.clone(), ..self.clone() });
+        self.forces.pieces().iter().map(in_piece).collect()
+    }
+
     #[inline(always)]
     fn rates(&self, t: T, state: &ForcedState<T>) -> Result<Motion<T>, Broken> {
         let (spin, axes) = self.spin(state);

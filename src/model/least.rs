@@ -106,6 +106,18 @@ impl<T: Real> Model for Least<T> {
         }
     }
 
+    fn pieces(&self) -> Vec<(T, Least<T>)> {
+        fn of<T: Real, M: Model<Real = T>>(model: &M, whole: fn(M) -> Least<T>) -> Vec<(T, Least<T>)> {
+            model.pieces().into_iter().map(|(end, piece)| (end, whole(piece))).collect()
+        }
+        match self {
+            Least::Free(model) => of(model, Least::Free),
+            Least::Falling(model) => of(model, Least::Falling),
+            Least::Rotor(model) => of(model, Least::Rotor),
+            Least::Forced(model) => of(model, Least::Forced),
+        }
+    }
+
     fn rates(&self, t: T, state: &LeastState<T>) -> Result<Motion<T>, Broken> {
         on!(self, state, |model, at| Ok(model.rates(t, at)?.motion()))
     }

@@ -197,6 +197,15 @@ pub trait Model {
     /// The state at t = 0.
     fn start(&self) -> Self::State;
 
+    /// The model between the jumps of its laws, each with the time that it ends at [s], the last without an end; none where no law
+    /// jumps.
+    fn pieces(&self) -> Vec<(Self::Real, Self)>
+    where
+        Self: Sized,
+    {
+        Vec::new()
+    }
+
     /// Rates at a state: I Ω = L solved for Ω, forces and torques summed.
     ///
     /// # Errors

@@ -179,6 +179,12 @@ impl<T: Real> Model for PointCloud<T> {
         }
     }
 
+    fn pieces(&self) -> Vec<(T, PointCloud<T>)> {
+        let in_piece =
+            |(end, forces): &(T, Forces<T>)| (*end, PointCloud { forces: forces.clone(), ..self.clone() });
+        self.forces.pieces().iter().map(in_piece).collect()
+    }
+
     #[inline(always)]
     fn rates(&self, t: T, state: &PointState<T>) -> Result<Motion<T>, Broken> {
         self.rates_on_levers(t, state, state)

@@ -106,7 +106,10 @@ pub fn in_axes(system: &System, turn: &Rotation) -> System {
     let in_axes = |law: &Law| {
         let turned = |v: Vector3<f64>| turn * v;
         law.map(|parameter, argument| match law.in_body_axes(parameter) {
-            true => argument.map(|x| x, turned),
+            true => match argument {
+                Argument::Matrix(given) => Argument::Matrix(matrix * given * matrix.transpose()),
+                other => other.map(|x| x, turned),
+            },
             false => argument,
         })
     };

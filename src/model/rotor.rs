@@ -53,6 +53,12 @@ impl<T: Real> Model for Rotor<T> {
         RotorState { attitude: self.rotational.attitude, momentum: self.start.angular_momentum }
     }
 
+    fn pieces(&self) -> Vec<(T, Rotor<T>)> {
+        let in_piece =
+            |(end, forces): &(T, Forces<T>)| (*end, Rotor { forces: forces.clone(), ..self.clone() });
+        self.forces.pieces().iter().map(in_piece).collect()
+    }
+
     #[inline(always)]
     fn rates(&self, t: T, state: &RotorState<T>) -> Result<RotorRates<T>, Broken> {
         let (spin, axes) = self.spin(state);

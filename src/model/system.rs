@@ -51,6 +51,11 @@ pub struct System<T: Real = f64> {
     pub start: Start<T>,
 }
 
+/// What is wrong with each of some laws on a body.
+pub(crate) fn faults_of_laws(body: &Body, laws: &[Law]) -> Vec<SystemError> {
+    laws.iter().enumerate().filter_map(|(index, law)| check_law(index, law, body).err()).collect()
+}
+
 /// Relative difference from which on two moments are two.
 const TWO_MOMENTS: f64 = 1e-9;
 

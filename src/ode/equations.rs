@@ -46,6 +46,8 @@ pub struct Equations<'a> {
     inverse: Matrix3<f64>,
     placed: RefCell<Placed>,
     clock: Cell<f64>,
+    /// The piece between two jumps of the laws that holds; none where the time of an evaluation decides.
+    piece: Cell<Option<usize>>,
     evaluations: Cell<usize>,
 }
 
@@ -62,6 +64,7 @@ impl<'a> Equations<'a> {
             inverse: inverse(&system.body, &inertia),
             placed: RefCell::new(Placed::new(system)),
             clock: Cell::new(0.0),
+            piece: Cell::new(None),
             evaluations: Cell::new(0),
         }
     }
@@ -79,6 +82,14 @@ impl<'a> Equations<'a> {
     /// Puts the time that a solver calls 0 at `time` [s].
     pub fn set_clock(&self, time: f64) {
         self.clock.set(time);
+    }
+
+    /// The first time after this one [s] at which a law jumps. Until then the laws stay as they are just after this one.
+    pub fn enter(&self, time: f64) -> Option<f64> {
+        let pieces = self.system.forces.pieces();
+        let place = pieces.iter().position(|(end, _)| time < *end)?;
+        self.piece.set(Some(place));
+        Some(pieces[place].0)
     }
 
     /// The state at t = 0.
@@ -130,7 +141,10 @@ impl<'a> Equations<'a> {
         let mut placed = self.placed.borrow_mut();
         placed.turn(self.system, &orientation);
         let cloud = placed.cloud(position, velocity, orientation * spin);
-        let load = self.system.forces.load_on_points(self.clock.get() + s * units.time, &cloud);
+        let forces = &self.system.forces;
+        let piece = self.piece.get().and_then(|place| forces.pieces().get(place));
+        let forces = piece.map_or(forces, |(_, forces)| forces);
+        let load = forces.load_on_points(self.clock.get() + s * units.time, &cloud);
         let torque = orientation.inverse_transform_vector(&load.torque);
         (load.force / self.system.body.mass, torque / units.inertia)
     }

@@ -36,13 +36,15 @@ pub fn along<S: Solver>(equations: &Equations, times: &[f64], solver: &mut S) ->
     let mut states = Vec::with_capacity(times.len());
     let (mut state, mut reached) = (equations.start(), 0.0);
     for time in times {
-        if *time > reached {
+        while *time > reached {
+            // No step lies across a jump.
+            let end = equations.enter(reached).map_or(*time, |jump| jump.min(*time));
             equations.set_clock(reached);
-            state = solver.advance((time - reached) / equations.units().time).map_err(|reason| {
+            state = solver.advance((end - reached) / equations.units().time).map_err(|reason| {
                 let evaluations = equations.evaluations();
                 SolverError::NoConvergence { method: S::NAME, time: reached, evaluations, reason }
             })?;
-            reached = *time;
+            reached = end;
         }
         if !state.iter().all(|x| x.is_finite()) {
             return Err(SolverError::NotFinite { method: S::NAME, time: reached });

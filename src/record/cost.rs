@@ -1,4 +1,4 @@
-//! What a step costs, and how costs grow.
+//! What a step costs, and how its cost grows.
 
 use serde::{Deserialize, Serialize};
 
@@ -10,7 +10,7 @@ words! {
         /// The number of mass points of the body.
         #[default]
         Points = "points",
-        /// The number of cells of a campaign: schemes × scenes.
+        /// The number of cells of a campaign, schemes × scenes: in files of former versions.
         Cells = "cells",
     }
 }

@@ -1,13 +1,13 @@
 //! The evidence: all that was measured on a scheme in a scene and that gates read.
 //!
 //! A verdict is a pure function of it, of the error constants on record and of nothing else. Numbers that do not come out of a claim are
-//! kept to five digits, roundings to two. In files error vectors and roundings are packed text; false, zero and missing values are left out.
+//! kept to five digits, roundings to two. In files lists of numbers are packed text, runs are columns; false, zero and missing values are left out.
 
 use serde::{Deserialize, Serialize};
 
 use super::numbers::{is_nothing, or_infinite};
 use super::stability::LinearLimit;
-use super::{DriftClass, packed};
+use super::{DriftClass, columns, packed};
 use crate::claim::Claim;
 use crate::quantity::{PerQuantity, Quantity};
 
@@ -56,7 +56,7 @@ pub struct Evidence {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub symplecticity: Option<Symplecticity>,
     /// The same run in other worlds.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty", with = "columns")]
     pub other_worlds: Vec<OtherWorld>,
     /// The limit of stability on a spring-held body.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -114,10 +114,13 @@ pub struct Setting {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Ladder {
     /// Sample times [s]: the end, three quarters, half, and a quarter of it, a sixteenth, … down to the first turn.
+    #[serde(with = "packed::list")]
     pub times: Vec<f64>,
     /// Size of each quantity over the motion, in its unit.
+    #[serde(with = "packed::numbers")]
     pub sizes: PerQuantity<f64>,
     /// Uncertainty of the truth, in the unit of the quantity.
+    #[serde(with = "packed::numbers")]
     pub uncertainty: PerQuantity<f64>,
     /// Whether the runs are in double-double.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
@@ -127,12 +130,16 @@ pub struct Ladder {
     /// Half a unit in the last place that a program prints, relative; 0 where it prints all digits.
     pub printed: f64,
     /// How far the first state of any run is from the start of the scene.
+    #[serde(with = "packed::numbers")]
     pub start: PerQuantity<f64>,
     /// Body axes from the centre of mass to points that stand for the body [m].
+    #[serde(with = "packed::vectors")]
     pub arms: Vec<[f64; 3]>,
     /// The runs, each of half the step of the last.
+    #[serde(with = "columns")]
     pub rungs: Vec<Rung>,
     /// Runs of an odd number of steps, compared at the end alone.
+    #[serde(with = "columns")]
     pub odd: Vec<Rung>,
     /// What explains a program that solves another motion, in words.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -249,6 +256,7 @@ pub struct EnergyRung {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct EnergyDrift {
     /// Long runs, step falling.
+    #[serde(with = "columns")]
     pub rungs: Vec<EnergyRung>,
     /// Kind of drift.
     pub class: DriftClass,

@@ -131,6 +131,17 @@ pub struct Order {
     pub why: Option<String>,
 }
 
+/// What five digits of two errors leave undecided of a constant, relative: three times half a unit of the last.
+const OF_DIGITS: f64 = 1.5e-5;
+
+impl Order {
+    /// What the constant may be wrong by, relative: it is extrapolated from two runs that differ from a power of h by r, which leaves about r²
+    /// of it undecided.
+    pub fn constant_uncertainty(&self) -> Option<f64> {
+        self.r.filter(|_| self.constant.is_some()).map(|r| r * r + OF_DIGITS)
+    }
+}
+
 /// How a conserved quantity drifts.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Drift {
@@ -167,7 +178,8 @@ pub struct Series {
     pub scheme: String,
     /// Time step [s].
     pub step_s: f64,
-    /// Quantity: `rotational-energy`, `total-energy`, `angular-momentum` (relative change of its magnitude), …
+    /// Quantity: `rotational-energy`, `total-energy`, `angular-momentum-magnitude`, … as a change from the start where the motion conserves
+    /// it; `rotational-energy-error`, … as an error against the reference where a torque changes it.
     pub quantity: String,
     /// Unit of `value`; `1` for relative changes.
     pub unit: String,
@@ -183,7 +195,7 @@ pub struct Series {
 pub(crate) const TIME_DIGITS: usize = 7;
 
 /// Times at equal intervals from 0, rounded to [`TIME_DIGITS`].
-mod even {
+pub(super) mod even {
     use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
     use super::{TIME_DIGITS, to_digits};

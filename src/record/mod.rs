@@ -5,15 +5,22 @@
 //! (`null` on disk), never a NaN.
 
 pub mod stability;
+#[cfg(feature = "cli")]
+mod capsule;
+mod columns;
 mod cost;
+mod ditto;
 mod engines;
 mod evidence;
 mod findings;
+mod motion;
+mod nearby;
 mod numbers;
 mod packed;
 #[cfg(feature = "cli")]
 mod place;
 mod precision;
+mod provenance;
 mod published;
 mod subjects;
 #[cfg(feature = "cli")]
@@ -29,19 +36,23 @@ use serde::{Deserialize, Serialize};
 
 use crate::bounded::{self, FileError};
 pub use crate::claim::ClaimName;
+#[cfg(feature = "cli")]
+pub use capsule::{Capsule, Difference, Request, SceneText};
 pub use cost::{CostRow, Grows, ScalingRow};
 pub use engines::{EngineRow, PeerRow, Twin};
 pub use evidence::*;
 pub(crate) use findings::TIME_DIGITS;
 pub use findings::{Drift, DriftClass, Measurement, Order, OrderStatus, RunStatus, Series};
+pub use motion::Motion;
 pub use numbers::to_digits;
 #[cfg(feature = "cli")]
-pub(crate) use place::{is_own_json, try_place};
+pub(crate) use place::{is_own_baseline, is_own_json, try_place};
 pub use precision::{GrowsAs, Growth, PrecisionRow, PrecisionRun, Reach};
+pub use provenance::Provenance;
 pub use published::{Agreement, PublishedRow, Sureness, last_digit};
 pub use subjects::{ReferenceRow, SceneRow, SchemeRow};
 #[cfg(feature = "cli")]
-pub use tables::{write_csv, write_json};
+pub use tables::{BRIEF_CSV_FILES, CSV_FILES, write_brief_csv, write_csv, write_json};
 pub use verdict::{Ruling, Verdict};
 #[cfg(feature = "cli")]
 pub(crate) use whole::{WholeFile, write_whole};
@@ -63,6 +74,9 @@ pub struct Records {
     /// False where the campaign was interrupted: the rows present are whole, others are missing.
     #[serde(default)]
     pub complete: bool,
+    /// Where these records are a baseline: who made it and why, and those that it replaced, the newest first.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub provenance: Vec<Provenance>,
     /// The scenes, in the order of the campaign.
     #[serde(default)]
     pub scenes: Vec<SceneRow>,
@@ -78,7 +92,7 @@ pub struct Records {
     #[serde(default)]
     pub drifts: Vec<Drift>,
     /// One row a scene and scheme: what the gates read.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty", with = "ditto")]
     pub evidence: Vec<Arc<Evidence>>,
     /// One row a scene: its reference, as the gates read it.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -94,6 +108,9 @@ pub struct Records {
     /// Quantities against time, for drawing.
     #[serde(default)]
     pub series: Vec<Arc<Series>>,
+    /// Motions to be shown, the truth of a scene before its runs.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub motions: Vec<Arc<Motion>>,
     /// Foreign programs among the schemes.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub engines: Vec<EngineRow>,
@@ -162,6 +179,7 @@ impl Records {
         self.drifts.extend(other.drifts);
         self.evidence.extend(other.evidence);
         self.series.extend(other.series);
+        self.motions.extend(other.motions);
         self.costs.extend(other.costs);
         self.scaling.extend(other.scaling);
         self.engines.extend(other.engines);
@@ -189,6 +207,7 @@ impl Records {
         kept.evidence.retain(|row| keep(&row.scheme));
         kept.verdicts.retain(|row| keep(&row.scheme));
         kept.series.retain(|row| keep(&row.scheme));
+        kept.motions.retain(|row| keep(&row.scheme));
         kept.costs.retain(|row| keep(&row.scheme));
         kept.precision.retain(|row| keep(&row.scheme));
         kept
@@ -201,12 +220,23 @@ impl Records {
     pub fn read(path: &Path) -> Result<Records, RecordError> {
         let text = read_text(path)?;
         let format = |why| RecordError::Format { path: path.into(), why };
-        let records: Records = serde_json::from_str(&text).map_err(|error| format(error.to_string()))?;
-        if records.schema != SCHEMA {
-            return Err(format(format!("schema is \"{}\", expected \"{SCHEMA}\"", records.schema)));
+        let other = |schema: &str| format(format!("schema is \"{schema}\", expected \"{SCHEMA}\""));
+        match serde_json::from_str::<Records>(&text) {
+            Ok(records) if records.schema == SCHEMA => Ok(records),
+            Ok(records) => Err(other(&records.schema)),
+            Err(error) if error.is_eof() => Err(format(format!("the file is cut off: {error}"))),
+            Err(error) => match serde_json::from_str::<Named>(&text) {
+                Ok(named) if named.schema != SCHEMA => Err(other(&named.schema)),
+                _ => Err(format(error.to_string())),
+            },
         }
-        Ok(records)
     }
+}
+
+/// Any file that names its schema.
+#[derive(Deserialize)]
+struct Named {
+    schema: String,
 }
 
 /// The text of a file of records.

@@ -5,12 +5,13 @@
 //! ```
 //!
 //! The place is written in base 64, the highest digit first. The first character of the text is d: `5` has four characters a number and
-//! e₀ = 70, `2` has two, e₀ = 34 and no sign, and `*` has the 64 bits of the double in eleven. A dot is a zero, whose sign is lost. Lists are
+//! e₀ = 70, `3` has three and e₀ = 70, `2` has two, e₀ = 34 and no sign, and `*` has the 64 bits of the double in eleven; `n` is the code of `nearby`. A dot is a zero, whose sign is lost but where bits are written. Lists are
 //! separated by commas. A reader gets each number back to the last bit.
 
 use serde::de::{Error, SeqAccess, Visitor, value::SeqAccessDeserializer};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
+use super::nearby;
 use crate::quantity::{PerQuantity, Quantity};
 
 const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
@@ -30,10 +31,16 @@ struct Code {
     signs: u64,
 }
 
+/// Five digits.
+const FIVE: Code = Code { name: b'5', width: 4, least: 10_000, exponent: -70, signs: 2 };
+/// Name of the code of [`nearby`].
+const NEARBY: u8 = b'n';
+
 /// The codes, the shortest first.
-const CODES: [Code; 3] = [
+const CODES: [Code; 4] = [
     Code { name: b'2', width: 2, least: 10, exponent: -34, signs: 1 },
-    Code { name: b'5', width: 4, least: 10_000, exponent: -70, signs: 2 },
+    Code { name: b'3', width: 3, least: 100, exponent: -70, signs: 2 },
+    FIVE,
     Code { name: b'*', width: 11, least: 0, exponent: 0, signs: 1 },
 ];
 
@@ -76,43 +83,72 @@ fn decimal(mantissa: u64, exponent: i32) -> f64 {
 }
 
 /// Lists of numbers as text, in the shortest code that holds all of them.
-fn pack(lists: &[&[f64]]) -> String {
+pub(super) fn text_of(lists: &[&[f64]]) -> String {
     let written = |code: &Code| {
         let mut text = vec![code.name];
         for (index, list) in lists.iter().enumerate() {
             text.extend((index > 0).then_some(b','));
             for value in *list {
-                if *value == 0.0 {
+                if *value == 0.0 && (code.least > 0 || value.is_sign_positive()) {
                     text.push(b'.');
                     continue;
                 }
-                let place = code.place(*value)?;
-                text.extend((0..code.width).rev().map(|digit| DIGITS[(place >> (6 * digit)) as usize % 64]));
+                letters(&mut text, code.place(*value)?, code.width);
             }
         }
         String::from_utf8(text).ok()
     };
-    CODES.iter().find_map(written).unwrap_or_default()
+    let text = CODES.iter().find_map(written).unwrap_or_default();
+    // The exponents of errors are near one another.
+    let five = text.as_bytes().first() == Some(&FIVE.name);
+    nearby_text(lists).filter(|near| five && near.len() < text.len()).unwrap_or(text)
+}
+
+/// A place in base 64, the highest digit first.
+fn letters(text: &mut Vec<u8>, place: u64, width: u32) {
+    text.extend((0..width).rev().map(|digit| DIGITS[(place >> (6 * digit)) as usize % 64]));
+}
+
+/// A number in base 64.
+fn number_of(letters: &[u8]) -> Option<u64> {
+    letters.iter().try_fold(0, |place, digit| Some(place << 6 | value_of(*digit)?))
+}
+
+/// The lists in the code of near exponents; `None` where it does not hold them.
+fn nearby_text(lists: &[&[f64]]) -> Option<String> {
+    let mut text = vec![NEARBY];
+    for (index, list) in lists.iter().enumerate() {
+        text.extend((index > 0).then_some(b','));
+        let place = |value: &f64| if *value == 0.0 { Some(None) } else { FIVE.place(*value).map(Some) };
+        let places: Vec<Option<u64>> = list.iter().map(place).collect::<Option<_>>()?;
+        nearby::write(&mut text, &places, |text, place| letters(text, place, FIVE.width))?;
+    }
+    String::from_utf8(text).ok()
 }
 
 /// The lists of such a text; `None` where it is none.
-fn unpack(text: &str) -> Option<Vec<Vec<f64>>> {
+pub(super) fn lists_of(text: &str) -> Option<Vec<Vec<f64>>> {
     let (name, mut rest) = text.as_bytes().split_first()?;
+    if *name == NEARBY {
+        let number = |place: Option<u64>| place.map_or(0.0, |place| FIVE.number(place));
+        let list = |part: &[u8]| Some(nearby::read(part, number_of)?.into_iter().map(number).collect());
+        return rest.split(|letter| *letter == b',').map(list).collect();
+    }
     let code = CODES.iter().find(|code| code.name == *name)?;
     let mut lists = vec![Vec::new()];
     while let Some((first, after)) = rest.split_first() {
         let list = lists.last_mut()?;
-        rest = after;
         match first {
             b',' => lists.push(Vec::new()),
             b'.' => list.push(0.0),
-            first => {
-                let (others, after) = rest.split_at_checked(code.width as usize - 1)?;
-                let add = |place: u64, digit: &u8| Some(place << 6 | value_of(*digit)?);
-                list.push(code.number(others.iter().try_fold(value_of(*first)?, add)?));
+            _ => {
+                let (number, after) = rest.split_at_checked(code.width as usize)?;
+                list.push(code.number(number_of(number)?));
                 rest = after;
+                continue;
             }
         }
+        rest = after;
     }
     Some(lists)
 }
@@ -140,7 +176,7 @@ impl<'de, const LISTS: usize> Visitor<'de> for Packed<LISTS> {
     }
 
     fn visit_str<E: Error>(self, text: &str) -> Result<Self::Value, E> {
-        let lists = unpack(text).and_then(|lists| lists.try_into().ok());
+        let lists = lists_of(text).and_then(|lists| lists.try_into().ok());
         lists.ok_or_else(|| E::invalid_value(serde::de::Unexpected::Str(text), &self))
     }
 
@@ -163,7 +199,7 @@ pub(super) mod list {
     use super::*;
 
     pub fn serialize<S: Serializer>(list: &[f64], serializer: S) -> Result<S::Ok, S::Error> {
-        pack(&[list]).serialize(serializer)
+        text_of(&[list]).serialize(serializer)
     }
 
     pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<f64>, D::Error> {
@@ -172,12 +208,56 @@ pub(super) mod list {
     }
 }
 
+/// A number for each quantity.
+pub(super) mod numbers {
+    use super::*;
+
+    pub fn serialize<S: Serializer>(numbers: &PerQuantity<f64>, serializer: S) -> Result<S::Ok, S::Error> {
+        text_of(&[&Quantity::ALL.map(|quantity| numbers[quantity])]).serialize(serializer)
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<PerQuantity<f64>, D::Error> {
+        let [list] = deserializer.deserialize_any(Packed::<1>)?;
+        let found = list.len();
+        let numbers: Result<[f64; Quantity::ALL.len()], _> = list.try_into();
+        numbers
+            .map(PerQuantity::from)
+            .map_err(|_| Error::invalid_length(found, &"a number for each quantity"))
+    }
+}
+
+/// Vectors.
+pub(super) mod vectors {
+    use super::*;
+
+    #[derive(Deserialize)]
+    #[serde(untagged)]
+    enum Either {
+        Packed(String),
+        Rows(Vec<[f64; 3]>),
+    }
+
+    pub fn serialize<S: Serializer>(vectors: &[[f64; 3]], serializer: S) -> Result<S::Ok, S::Error> {
+        text_of(&[vectors.as_flattened()]).serialize(serializer)
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<[f64; 3]>, D::Error> {
+        let text = match Either::deserialize(deserializer)? {
+            Either::Rows(rows) => return Ok(rows),
+            Either::Packed(text) => text,
+        };
+        let lists = lists_of(&text).filter(|lists| lists.len() == 1 && lists[0].len() % 3 == 0);
+        let list = lists.ok_or_else(|| Error::custom("packed text of no vectors"))?.concat();
+        Ok(list.chunks_exact(3).map(|vector| [vector[0], vector[1], vector[2]]).collect())
+    }
+}
+
 /// A list for each quantity.
 pub(super) mod lists {
     use super::*;
 
     pub fn serialize<S: Serializer>(lists: &PerQuantity<Vec<f64>>, serializer: S) -> Result<S::Ok, S::Error> {
-        pack(&Quantity::ALL.map(|quantity| lists[quantity].as_slice())).serialize(serializer)
+        text_of(&Quantity::ALL.map(|quantity| lists[quantity].as_slice())).serialize(serializer)
     }
 
     pub fn deserialize<'de, D: Deserializer<'de>>(
@@ -194,15 +274,19 @@ mod tests {
     #[test]
     fn numbers_come_back_to_the_last_bit_in_the_shortest_code_that_holds_them() {
         let two = [1e-33, 9.9e-5, 0.5, 30.0, 9.9e10, 0.0];
+        let three = [-1e-66, 9.99e-9, -0.25, 123.0, -9.99e25, 0.0, 3e-24];
         let five = [-1e-66, 9.9999e-9, -0.25, 123.45, -9.9999e25, 0.0, 3e-24];
+        let near = [-1.2345e-9, 9.9999e-8, 0.0, 1.0001e-6, -5e-9, 1.5e-9];
         let all = [std::f64::consts::PI, -0.1 - 0.2, 1e-300, f64::MAX, f64::NAN, f64::NEG_INFINITY, 0.0];
-        for (numbers, sign, length) in [(&two[..], '2', 12), (&five, '5', 26), (&all, '*', 68)] {
-            let text = pack(&[numbers]);
+        for (numbers, sign, length) in
+            [(&two[..], '2', 12), (&three, '3', 20), (&five, '5', 26), (&near, 'n', 18), (&all, '*', 68)]
+        {
+            let text = text_of(&[numbers]);
             assert!(text.starts_with(sign) && text.len() == length, "{text}");
             let bits = |list: &[f64]| list.iter().map(|number| number.to_bits()).collect::<Vec<_>>();
-            assert_eq!(bits(&unpack(&text).expect("lists")[0]), bits(numbers));
+            assert_eq!(bits(&lists_of(&text).expect("lists")[0]), bits(numbers));
         }
-        assert!(pack(&[&[1e-67]]).starts_with('*') && pack(&[&[-1.5]]).starts_with('5'));
+        assert!(text_of(&[&[1e-67]]).starts_with('*') && text_of(&[&[-1.5]]).starts_with('3'));
     }
 
     #[test]

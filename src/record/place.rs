@@ -69,6 +69,12 @@ pub(crate) fn is_own_json(head: &str) -> bool {
     compact.starts_with("{\"schema\":\"polhode/")
 }
 
+/// Whether a file begins like a baseline of this program: records with a provenance.
+pub(crate) fn is_own_baseline(head: &str) -> bool {
+    let compact: String = head.chars().filter(|letter| !letter.is_whitespace()).collect();
+    is_own_json(head) && compact.contains(",\"provenance\":[{")
+}
+
 /// The beginning of a file, as text.
 fn head(path: &Path) -> std::io::Result<String> {
     let mut bytes = Vec::new();

@@ -248,6 +248,9 @@ pub struct LongRun {
     pub radians_per_step: f64,
     /// Steps taken.
     pub steps: u64,
+    /// Number of the colour, marker and dash of a main scheme.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub look: Option<usize>,
     /// Step numbers of the samples.
     pub at_step: Vec<u64>,
     /// Change of the rotational energy since the start, relative.

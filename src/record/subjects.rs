@@ -10,6 +10,9 @@ pub struct SceneRow {
     /// Fingerprint of body, forces, start and duration.
     #[serde(default)]
     pub content: String,
+    /// File that it was read from, as the user named it.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub file: String,
     /// One line.
     pub title: String,
     /// Why the scene is in the list.
@@ -67,6 +70,9 @@ pub struct SchemeRow {
     /// True where the scheme stands in rankings and tables of verdicts alone, and is not drawn beside the main ones.
     #[serde(default)]
     pub apart: bool,
+    /// Number of its colour, marker and dash: the main schemes have the same in every report.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub look: Option<usize>,
     /// Where the scheme fails, in one line, if that is on record.
     #[serde(default)]
     pub fails_where: Option<String>,

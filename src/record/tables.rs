@@ -7,7 +7,7 @@ use std::path::Path;
 use serde::Serialize;
 use serde_json::ser::{Formatter, Serializer};
 
-use super::{RecordError, Records, WholeFile};
+use super::{Order, OrderStatus, RecordError, Records, WholeFile};
 
 /// Writes a struct of lists as JSON, a row a line.
 ///
@@ -20,18 +20,127 @@ pub fn write_json(path: &Path, records: &impl Serialize) -> Result<(), RecordErr
     file.finish()
 }
 
-/// Writes the measurements as tidy CSV: a header, then one row each.
+/// The tables that stand beside `records.json`: name, and what writes each.
+type Table = (&'static str, fn(&mut csv::Writer<&mut WholeFile>, &Records) -> csv::Result<()>);
+
+/// Tidy tables, a row a finding: every number as in `records.json`, units in the column `unit` or in the head.
+const TABLES: [Table; 4] = [
+    ("records.csv", |writer, records| each(writer, records.measurements.iter())),
+    ("orders.csv", |writer, records| each(writer, records.orders.iter().map(OrderLine::new))),
+    ("constants.csv", |writer, records| each(writer, records.orders.iter().filter_map(ConstantLine::new))),
+    ("drifts.csv", |writer, records| each(writer, records.drifts.iter())),
+];
+
+/// Names of the files that [`write_csv`] writes.
+pub const CSV_FILES: [&str; TABLES.len()] = ["records.csv", "orders.csv", "constants.csv", "drifts.csv"];
+
+/// Writes measurements, orders, error constants and drifts as tidy CSV into a folder: a header, then one row each.
 ///
 /// # Errors
-/// The file cannot be written.
-pub fn write_csv(path: &Path, records: &Records) -> Result<(), RecordError> {
-    let fail = |error: csv::Error| RecordError::File { path: path.into(), source: error.into() };
-    let mut file = WholeFile::begin(path)?;
-    let mut writer = csv::Writer::from_writer(&mut file);
-    records.measurements.iter().try_for_each(|row| writer.serialize(row)).map_err(fail)?;
-    writer.flush().map_err(|source| RecordError::File { path: path.into(), source })?;
-    drop(writer);
-    file.finish()
+/// A file cannot be written.
+pub fn write_csv(folder: &Path, records: &Records) -> Result<(), RecordError> {
+    write_tables(folder, records, &TABLES)
+}
+
+/// Names of the files that [`write_brief_csv`] writes.
+pub const BRIEF_CSV_FILES: [&str; TABLES.len() - 1] = ["orders.csv", "constants.csv", "drifts.csv"];
+
+/// The same without the measurements, which are most of it.
+///
+/// # Errors
+/// A file cannot be written.
+pub fn write_brief_csv(folder: &Path, records: &Records) -> Result<(), RecordError> {
+    write_tables(folder, records, &TABLES[1..])
+}
+
+fn write_tables(folder: &Path, records: &Records, tables: &[Table]) -> Result<(), RecordError> {
+    for (name, write) in tables {
+        let path = folder.join(name);
+        let fail = |error: csv::Error| RecordError::File { path: path.clone(), source: error.into() };
+        let mut file = WholeFile::begin(&path)?;
+        let mut writer = csv::Writer::from_writer(&mut file);
+        write(&mut writer, records).map_err(fail)?;
+        writer.flush().map_err(|source| RecordError::File { path: path.clone(), source })?;
+        drop(writer);
+        file.finish()?;
+    }
+    Ok(())
+}
+
+fn each(
+    writer: &mut csv::Writer<&mut WholeFile>,
+    mut rows: impl Iterator<Item = impl Serialize>,
+) -> csv::Result<()> {
+    rows.try_for_each(|row| writer.serialize(row))
+}
+
+/// An order as a line.
+#[derive(Serialize)]
+struct OrderLine<'a> {
+    scene: &'a str,
+    scheme: &'a str,
+    quantity: &'a str,
+    status: OrderStatus,
+    order: Option<f64>,
+    low: Option<f64>,
+    high: Option<f64>,
+    r: Option<f64>,
+    until_s: Option<f64>,
+    rungs_used: usize,
+    rungs_dropped: usize,
+    finest_step_used_s: Option<f64>,
+    floor: Option<f64>,
+    unit: &'a str,
+    why: Option<&'a str>,
+}
+
+impl OrderLine<'_> {
+    fn new(order: &Order) -> OrderLine<'_> {
+        OrderLine {
+            scene: &order.scene,
+            scheme: &order.scheme,
+            quantity: &order.quantity,
+            status: order.status,
+            order: order.order,
+            low: order.low,
+            high: order.high,
+            r: order.r,
+            until_s: order.until_s,
+            rungs_used: order.rungs_used,
+            rungs_dropped: order.rungs_dropped,
+            finest_step_used_s: order.steps_used_s.iter().copied().reduce(f64::min),
+            floor: order.floor,
+            unit: &order.unit,
+            why: order.why.as_deref(),
+        }
+    }
+}
+
+/// An error constant C of e = C hᵖ as a line.
+#[derive(Serialize)]
+struct ConstantLine<'a> {
+    scene: &'a str,
+    scheme: &'a str,
+    quantity: &'a str,
+    power_of_h: u32,
+    constant: f64,
+    relative_uncertainty: Option<f64>,
+    unit: String,
+}
+
+impl ConstantLine<'_> {
+    fn new(order: &Order) -> Option<ConstantLine<'_>> {
+        let (constant, power) = (order.constant?, order.order?.round() as u32);
+        Some(ConstantLine {
+            scene: &order.scene,
+            scheme: &order.scheme,
+            quantity: &order.quantity,
+            power_of_h: power,
+            constant,
+            relative_uncertainty: order.constant_uncertainty(),
+            unit: format!("({})/s^{power}", if order.unit.is_empty() { "1" } else { &order.unit }),
+        })
+    }
 }
 
 fn row_a_line(mut writer: impl Write, records: &impl Serialize) -> io::Result<()> {
@@ -103,10 +212,11 @@ impl Formatter for RowALine {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::HashMap;
     use std::sync::Arc;
 
     use super::*;
-    use crate::record::{Measurement, Series};
+    use crate::record::{Drift, Measurement, Series};
 
     fn text(records: &impl Serialize) -> String {
         let mut bytes = Vec::new();
@@ -139,16 +249,41 @@ mod tests {
     }
 
     #[test]
-    fn csv_has_a_header_and_a_row_a_measurement() {
+    fn a_csv_has_a_header_and_a_row_a_finding() {
         let folder = tempfile::tempdir().expect("a folder");
-        let path = folder.path().join("records.csv");
         let row =
             Arc::new(Measurement { value: Some(0.25), why: Some("a, b".into()), ..Measurement::default() });
-        let records = Records { measurements: vec![row.clone(), row], ..Records::default() };
-        write_csv(&path, &records).expect("written");
-        let text = std::fs::read_to_string(&path).expect("text");
-        assert_eq!(text.lines().count(), 3);
-        assert!(text.starts_with("scene,scheme,model,step_s,"), "{text}");
-        assert!(text.contains("0.25") && text.contains("\"a, b\""), "{text}");
+        let decided = Order {
+            order: Some(1.98),
+            constant: Some(3.5),
+            r: Some(0.01),
+            steps_used_s: vec![0.5, 0.25],
+            unit: "rad".into(),
+            ..Order::default()
+        };
+        let records = Records {
+            measurements: vec![row.clone(), row],
+            orders: vec![decided, Order::default()],
+            drifts: vec![Drift::default()],
+            ..Records::default()
+        };
+        write_csv(folder.path(), &records).expect("written");
+        let rows = |name: &str| {
+            let mut reader = csv::Reader::from_path(folder.path().join(name)).expect("a table");
+            let head: Vec<String> = reader.headers().expect("a header").iter().map(str::to_owned).collect();
+            let named = |row: csv::Result<csv::StringRecord>| {
+                let row = row.expect("as many columns as heads");
+                head.iter().cloned().zip(row.iter().map(str::to_owned)).collect::<HashMap<_, _>>()
+            };
+            reader.records().map(named).collect::<Vec<_>>()
+        };
+        assert_eq!(CSV_FILES.map(|name| rows(name).len()), [2, 2, 1, 1]);
+        assert_eq!((&*rows("records.csv")[0]["value"], &*rows("records.csv")[1]["why"]), ("0.25", "a, b"));
+        assert_eq!(rows("orders.csv")[0]["finest_step_used_s"], "0.25");
+        let constant = &rows("constants.csv")[0];
+        assert_eq!(
+            (&*constant["power_of_h"], &*constant["constant"], &*constant["unit"]),
+            ("2", "3.5", "(rad)/s^2")
+        );
     }
 }

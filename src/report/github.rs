@@ -1,27 +1,26 @@
-//! The verdicts as workflow commands of GitHub Actions, which shows them on a pull request.
+//! The verdicts for GitHub Actions: workflow commands, which it shows on a pull request.
 
-use crate::record::{Records, Verdict};
+use crate::record::Records;
 
-use super::survey::Outcome;
+use super::survey::{self, Outcome};
+use super::text;
 
-/// One workflow command a verdict that a reader must see, each on its own line: `::error` for a failed claim and
-/// a broken run, `::warning` for what is inconclusive, `::notice` for a known deviation.
+/// One workflow command for each scheme in each scene that a reader must see, each on its own line and with the scene's file: `::error` for a failed
+/// claim and a broken run, `::warning` for what is undecided, `::notice` for known deviations.
 pub fn annotations(records: &Records) -> String {
-    records.verdicts.iter().filter_map(annotation).collect()
+    text::remarks(records).iter().map(|remark| annotation(records, remark)).collect()
 }
 
-fn annotation(verdict: &Verdict) -> Option<String> {
-    let outcome = Outcome::of(verdict);
-    let level = match outcome {
+fn annotation(records: &Records, remark: &text::Remark) -> String {
+    let level = match remark.outcome {
         Outcome::Fail | Outcome::Broken => "error",
         Outcome::Inconclusive => "warning",
-        Outcome::KnownDeviation => "notice",
-        Outcome::Pass | Outcome::NotApplicable => return None,
+        Outcome::KnownDeviation | Outcome::Pass | Outcome::NotApplicable => "notice",
     };
-    let title = format!("{}: {} on {}: {}", outcome.words(), verdict.scheme, verdict.scene, verdict.claim);
-    let reason = verdict.known_deviation.as_ref().map(|why| format!(" (known: {why})")).unwrap_or_default();
-    let message = format!("{} of {}: {}{reason}", verdict.claim, verdict.quantity, verdict.detail);
-    Some(format!("::{level} title={}::{}\n", property(&title), message_text(&message)))
+    let title = format!("{}: {} in {}", remark.outcome.words(), remark.scheme, remark.scene);
+    let file = survey::scene(records, remark.scene).map_or("", |scene| scene.file.as_str());
+    let file = if file.is_empty() { String::new() } else { format!("file={},line=1,", property(file)) };
+    format!("::{level} {file}title={}::{}\n", property(&title), message_text(&remark.words))
 }
 
 /// The text of a command: the signs that would end it are escaped.

@@ -30,6 +30,23 @@ fn case(verdict: &Verdict) -> TestCase {
     case
 }
 
+/// All that a verdict holds, a line each.
+fn body(verdict: &Verdict) -> String {
+    let number = |name: &str, value: Option<f64>| value.map(|value| format!("{name}: {value:e}\n"));
+    let numbers =
+        [number("measured", verdict.measured), number("low", verdict.low), number("high", verdict.high)];
+    let numbers: String = numbers.into_iter().flatten().collect();
+    format!(
+        "scene: {}\nscheme: {}\nrule: {}, {}\nquantity: {}\n{numbers}{}\n",
+        verdict.scene,
+        verdict.scheme,
+        verdict.claim,
+        verdict.claim.explained(),
+        verdict.quantity,
+        verdict.detail
+    )
+}
+
 fn status(verdict: &Verdict) -> TestCaseStatus {
     let detail = verdict.detail.as_str();
     let skipped = |message: String| {
@@ -39,7 +56,7 @@ fn status(verdict: &Verdict) -> TestCaseStatus {
     };
     let unsuccessful = |kind, word: &str| {
         let mut status = TestCaseStatus::non_success(kind);
-        status.set_message(detail).set_type(word);
+        status.set_message(detail).set_type(word).set_description(body(verdict));
         status
     };
     match Outcome::of(verdict) {

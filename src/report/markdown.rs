@@ -26,7 +26,7 @@ pub(super) fn environment() -> Result<Environment<'static>, minijinja::Error> {
 }
 
 /// A text that cannot leave its cell of a table nor start a tag.
-fn cell(text: &str) -> String {
+pub(super) fn cell(text: &str) -> String {
     let lines: Vec<&str> = text.lines().map(str::trim).collect();
     lines.join(" ").replace('\\', "\\\\").replace('|', "\\|").replace('<', "&lt;")
 }

@@ -3,6 +3,8 @@
 //! This module reads [`Records`] only. It never runs a scheme: a picture cannot redo a calculation, and a report
 //! can be made again from a `records.json` alone.
 
+mod brief;
+mod dashboard;
 mod engines;
 mod folder;
 mod github;
@@ -11,10 +13,13 @@ mod junit;
 mod markdown;
 mod number;
 mod page;
+mod paper;
 mod plot;
 mod published;
 mod ranking;
+mod sarif;
 mod stability;
+mod step_summary;
 mod survey;
 mod template;
 mod text;
@@ -23,17 +28,22 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use minijinja::Value;
 use rayon::prelude::*;
 
-use crate::record::{RecordError, Records, WholeFile, write_csv, write_json, write_whole};
+use crate::record::{CSV_FILES, RecordError, Records, WholeFile, write_csv, write_json, write_whole};
 
+pub use brief::write_brief;
+pub use dashboard::{MARK as DASHBOARD_MARK, bencher, smaller_is_better};
 pub use folder::try_folder;
 pub use github::annotations;
 pub use junit::junit;
+pub use paper::{Language, paper_tables};
+pub use plot::motion::motion_picture;
 pub use plot::{heat_map, line_chart};
 pub use published::write_published;
+pub use sarif::{MARK as SARIF_MARK, sarif};
 pub use stability::{table as stability_table, write as write_stability};
+pub use step_summary::{MARK as SUMMARY_MARK, step_summary};
 pub use text::verdict_table;
 
 use folder::Folder;
@@ -96,47 +106,89 @@ pub fn write(
     out: &Path,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<(), ReportError> {
+    write_with(records, out, Pictures::Png, progress)
+}
+
+/// The files of a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pictures {
+    /// A PNG.
+    Png,
+    /// A PNG, and an SVG of the same look.
+    PngAndSvg,
+}
+
+/// The same, with pictures as SVG where they are asked for.
+///
+/// # Errors
+/// Those of [`write`].
+pub fn write_with(
+    records: &Records,
+    out: &Path,
+    pictures: Pictures,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<(), ReportError> {
     let subjects = plot::subjects(records);
-    let pages = ["records.json", "records.csv", "report.md", "index.html"];
+    let mut pages = ["records.json", "report.md"].map(str::to_owned).to_vec();
+    pages.extend(CSV_FILES.map(str::to_owned));
+    pages.extend(html::names(records));
     let folder = Folder::open(out, "records.json")?;
     folder.begin(&names(&pages, subjects.iter()))?;
     write_json(&out.join("records.json"), records)?;
-    write_csv(&out.join("records.csv"), records)?;
+    write_csv(out, records)?;
     let main = records.without_apart();
     let figures = write_pictures(records, &main, &subjects, out, progress)?;
     let page = page::compose(records, &main, &figures);
     write_page(&out.join("report.md"), |file| markdown::render(&page, file))?;
-    write_page(&out.join("index.html"), |file| html::render(&page, file))?;
-    Ok(folder.finish(&names(&pages, figures.iter().map(|figure| &figure.subject)))?)
+    html::write(records, &main, &page, out)?;
+    let mut files = names(&pages, figures.iter().map(|figure| &figure.subject));
+    if pictures == Pictures::PngAndSvg {
+        files.extend(write_vectors(records, &main, &subjects, out)?);
+    }
+    Ok(folder.finish(&files)?)
 }
 
-/// Writes what a repository can hold: `report.md`, the key pictures, and a `records.json` of orders, drifts and
-/// verdicts without the runs behind them.
+/// Writes `records.json` and `records.csv` alone: a run that the user ended is not worth drawing, and the user waits.
 ///
 /// # Errors
-/// A file cannot be written, or a picture or a page cannot be made.
-pub fn write_brief(
+/// A file cannot be written.
+pub fn write_rows(records: &Records, out: &Path) -> Result<(), ReportError> {
+    let folder = Folder::open(out, "records.json")?;
+    let files = names(&["records.json", "records.csv"], std::iter::empty());
+    folder.begin(&files)?;
+    write_json(&out.join("records.json"), records)?;
+    write_csv(&out.join("records.csv"), records)?;
+    Ok(folder.finish(&files)?)
+}
+
+/// Writes `index.html`, one page with everything in it, and `records.json` beside it.
+///
+/// # Errors
+/// A file cannot be written, or the picture or the page cannot be made.
+pub fn write_single_file(
     records: &Records,
     out: &Path,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<(), ReportError> {
-    let brief = Records { measurements: Vec::new(), series: Vec::new(), ..records.clone() };
-    let subjects = plot::key_subjects(records);
-    let pages = ["records.json", "report.md"];
+    let pages = ["records.json", "index.html"].map(str::to_owned);
     let folder = Folder::open(out, "records.json")?;
-    folder.begin(&names(&pages, subjects.iter()))?;
-    write_json(&out.join("records.json"), &brief)?;
+    folder.begin(&names(&pages, std::iter::empty()))?;
+    write_json(&out.join("records.json"), records)?;
     let main = records.without_apart();
-    let figures = write_pictures(records, &main, &subjects, out, progress)?;
-    let page = page::compose(records, &main, &figures);
-    write_page(&out.join("report.md"), |file| markdown::render(&page, file))?;
-    Ok(folder.finish(&names(&pages, figures.iter().map(|figure| &figure.subject)))?)
+    let path = out.join("index.html");
+    let fault = |plot::Fault(why)| ReportError::Picture { path: path.clone(), why };
+    let overview = plot::lay_out(records, &main, &Subject::Overview).map_err(fault)?;
+    let overview = overview.map(|picture| picture.png()).transpose().map_err(fault)?;
+    let page = page::compose(records, &main, &[]);
+    html::write_single(records, &main, &page, overview.as_deref(), &path)?;
+    progress(1, 1);
+    Ok(folder.finish(&names(&pages, std::iter::empty()))?)
 }
 
 /// The files of a report, by their paths in its folder.
-fn names<'a>(pages: &[&str], pictures: impl Iterator<Item = &'a Subject>) -> BTreeSet<String> {
+fn names<'a>(pages: &[impl AsRef<str>], pictures: impl Iterator<Item = &'a Subject>) -> BTreeSet<String> {
     let pictures = pictures.map(|subject| format!("plots/{}", subject.file_name()));
-    pages.iter().map(|page| (*page).to_owned()).chain(pictures).collect()
+    pages.iter().map(|page| page.as_ref().to_owned()).chain(pictures).collect()
 }
 
 /// Writes the section on foreign programs as a page of its own: `engines.md`, its pictures beside it as SVG, a
@@ -159,7 +211,7 @@ pub fn write_engines(records: &Records, out: &Path) -> Result<(), ReportError> {
         if let Some(picture) = plot::lay_out(records, records, &subject).map_err(fault)? {
             let svg = picture.svg().map_err(fault)?;
             write_whole(&path, plot::alone(&svg).as_bytes())?;
-            figures.push(Figure { subject, svg: Some(Value::from_safe_string(svg)) });
+            figures.push(Figure { subject });
         }
     }
     write_page(&out.join("engines.md"), |file| engines::page(records, &figures, file))?;
@@ -176,7 +228,7 @@ fn write_page(
     Ok(file.finish()?)
 }
 
-/// Draws pictures, writes the PNGs and gives back the SVGs. `main` is the records without the schemes that stand apart.
+/// Draws pictures and writes the PNGs. `main` is the records without the schemes that stand apart.
 fn write_pictures(
     records: &Records,
     main: &Records,
@@ -200,11 +252,27 @@ fn write_pictures(
     Ok(figures)
 }
 
+/// Writes the pictures as SVG, and gives back the names of the files.
+fn write_vectors(
+    records: &Records,
+    main: &Records,
+    subjects: &[Subject],
+    out: &Path,
+) -> Result<Vec<String>, ReportError> {
+    let one = |subject: &Subject| {
+        let name = format!("plots/{}.svg", subject.file_stem());
+        let path = out.join(&name);
+        let fault = |plot::Fault(why)| ReportError::Picture { path: path.clone(), why };
+        let Some(picture) = plot::lay_out(records, main, subject).map_err(fault)? else { return Ok(None) };
+        write_whole(&path, plot::alone(&picture.svg().map_err(fault)?).as_bytes())?;
+        Ok(Some(name))
+    };
+    let written: Result<Vec<Option<String>>, ReportError> = subjects.par_iter().map(one).collect();
+    Ok(written?.into_iter().flatten().collect())
+}
+
 fn write_picture(picture: &Picture, path: &Path) -> Result<Figure, ReportError> {
     let fault = |plot::Fault(why)| ReportError::Picture { path: path.into(), why };
     write_whole(path, &picture.png().map_err(fault)?)?;
-    // A picture of every scheme holds thousands of points; a page with one a scene would no longer open.
-    let inline = !matches!(picture.subject, Subject::WorkPrecision(_, plot::Cast::Everyone, _));
-    let svg = if inline { Some(Value::from_safe_string(picture.svg().map_err(fault)?)) } else { None };
-    Ok(Figure { subject: picture.subject.clone(), svg })
+    Ok(Figure { subject: picture.subject.clone() })
 }

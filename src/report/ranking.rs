@@ -4,10 +4,14 @@
 //! of simulated time, counted in force evaluations, or timed in nanoseconds. Errors between two rungs are read off the straight
 //! line through them on logarithmic axes; outside the ladder there is none.
 
+mod overall;
+
 use std::sync::Arc;
 
 use crate::record::{Measurement, Records, RunStatus};
 use crate::report::survey;
+
+pub(super) use overall::{Overall, OverallPlace, overall};
 
 /// What errors are held against.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,8 +20,6 @@ pub(super) enum Work {
     Evaluations,
     /// Nanoseconds a second of simulated time.
     Nanoseconds,
-    /// The step [s], which is no work.
-    Step,
 }
 
 impl Work {
@@ -30,7 +32,6 @@ impl Work {
         let per_step = match self {
             Work::Evaluations => like.force_evaluations as f64 / like.steps.max(1) as f64,
             Work::Nanoseconds => like.nanoseconds_per_step?,
-            Work::Step => return (row.step_s > 0.0).then_some(row.step_s),
         };
         (per_step > 0.0 && row.step_s > 0.0).then(|| per_step / row.step_s)
     }
@@ -115,8 +116,11 @@ fn rungs(own: &[&Measurement], work: Work) -> (Vec<Point>, Vec<f64>) {
     let whole = || own.iter().filter(|row| row.status == RunStatus::Ok);
     let mut points: Vec<Point> = whole()
         .filter_map(|row| {
-            let error = row.value.filter(|value| *value > 0.0 && value.is_finite())?;
-            let lost = error <= 10.0 * row.uncertainty.unwrap_or(0.0);
+            // No error at all is one below what the reference decides.
+            let floor = row.uncertainty.unwrap_or(0.0);
+            let error = row.value.map(|value| if value == 0.0 { floor } else { value });
+            let error = error.filter(|value| *value > 0.0 && value.is_finite())?;
+            let lost = error <= 10.0 * floor;
             Some(Point { work: work.of(row)?.log10(), error: error.log10(), lost })
         })
         .collect();
@@ -135,23 +139,27 @@ pub(super) fn floor(records: &Records, scene: &str, metric: &str) -> Option<f64>
     known.reduce(f64::min).map(f64::log10)
 }
 
-/// The points that no other beats in work and error both, work rising: scheme, log₁₀ work, log₁₀ error.
+/// The points that no other beats in work and error both, work rising: scheme, log₁₀ work, log₁₀ error. The front stops at the first point
+/// whose error is that of rounding or of the reference: no other can be distinguished from it.
 pub(super) fn front<'a>(ladders: &[Ladder<'a>]) -> Vec<(&'a str, f64, f64)> {
-    let mut points: Vec<(&str, f64, f64)> = ladders
-        .iter()
-        .flat_map(|ladder| ladder.points.iter().map(|point| (ladder.scheme, point.work, point.error)))
-        .collect();
-    points.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.2.total_cmp(&b.2)));
-    let mut least = f64::INFINITY;
-    points.retain(|(_, _, error)| {
-        let better = *error < least;
-        least = least.min(*error);
+    let of_ladder = |ladder: &Ladder<'a>| {
+        let scheme = ladder.scheme;
+        ladder.points.iter().map(move |point| (scheme, *point)).collect::<Vec<_>>()
+    };
+    let mut points: Vec<(&str, Point)> = ladders.iter().flat_map(of_ladder).collect();
+    points.sort_by(|(_, a), (_, b)| a.work.total_cmp(&b.work).then(a.error.total_cmp(&b.error)));
+    let (mut least, mut ended) = (f64::INFINITY, false);
+    points.retain(|(_, point)| {
+        let better = point.error < least && !ended;
+        least = least.min(point.error);
+        ended |= better && point.lost;
         better
     });
-    points
+    points.into_iter().map(|(scheme, point)| (scheme, point.work, point.error)).collect()
 }
 
 /// A scheme in the ranking of a scene.
+#[derive(Clone)]
 pub(super) struct Place<'a> {
     /// Name.
     pub scheme: &'a str,
@@ -278,5 +286,14 @@ mod tests {
         let a = ladder("a", vec![point(1.0, -1.0, false), point(3.0, -3.0, false)]);
         let b = ladder("b", vec![point(2.0, -2.0, false), point(4.0, -2.5, false), point(5.0, -9.0, true)]);
         assert_eq!(front(&[a, b]), [("a", 1.0, -1.0), ("b", 2.0, -2.0), ("a", 3.0, -3.0), ("b", 5.0, -9.0)]);
+    }
+
+    #[test]
+    fn the_front_stops_at_the_floor_and_keeps_what_is_exact_there() {
+        let point = |work, error, lost| Point { work, error, lost };
+        let ladder = |scheme, points| Ladder { scheme, family: "", points, broken: Vec::new() };
+        let exact = ladder("exact", vec![point(2.0, -14.0, true), point(4.0, -15.0, true)]);
+        let other = ladder("other", vec![point(1.0, -2.0, false), point(3.0, -14.5, true)]);
+        assert_eq!(front(&[exact, other]), [("other", 1.0, -2.0), ("exact", 2.0, -14.0)]);
     }
 }

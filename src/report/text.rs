@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::record::{Records, Ruling, Verdict};
+use crate::record::{ClaimName, Records, Ruling, Verdict};
 
 use super::survey::{self, Outcome};
 
@@ -29,8 +29,10 @@ pub fn verdict_table(records: &Records, verbose: bool) -> String {
         }
     }
     text += &by_scheme(&cells);
-    let sizes = Sizes::of(records);
-    let red: Vec<String> = cells.iter().filter_map(|cell| red_line(&sizes, cell)).collect();
+    let red = remarks(records).into_iter().filter(|remark| !remark.outcome.is_green());
+    let line =
+        |one: Remark| format!("{}: {} in {}: {}", one.outcome.words(), one.scheme, one.scene, one.words);
+    let red: Vec<String> = red.map(line).collect();
     if !red.is_empty() {
         text += &format!("\n{}\n", red.join("\n"));
     }
@@ -95,27 +97,56 @@ impl Sizes<'_> {
     }
 }
 
-/// The worst verdict of a scheme in a scene in one line, where it is not green: the size of the error, then the rule; for a program
-/// that solves another motion, what explains it.
-fn red_line(sizes: &Sizes<'_>, cell: &Cell<'_>) -> Option<String> {
-    let first = cell.verdicts.first()?;
+/// The worst of a scheme in a scene.
+pub(super) struct Remark<'a> {
+    pub(super) scheme: &'a str,
+    pub(super) scene: &'a str,
+    pub(super) outcome: Outcome,
+    /// What the first verdict that it speaks of is about.
+    pub(super) claim: ClaimName,
+    /// Whether something is worse than on record.
+    pub(super) on_record: bool,
+    /// The size of the error, then the rule; for a program that solves another motion, what explains it.
+    pub(super) words: String,
+}
+
+/// What a reader must see: a remark for each scheme in each scene that has more than passes.
+pub(super) fn remarks(records: &Records) -> Vec<Remark<'_>> {
+    let sizes = Sizes::of(records);
+    cells(records).iter().filter_map(|cell| remark(&sizes, cell)).collect()
+}
+
+fn remark<'a>(sizes: &Sizes<'a>, cell: &Cell<'a>) -> Option<Remark<'a>> {
+    let first = cell.verdicts.first().copied()?;
     let outcome = Outcome::of(first);
-    if outcome.is_green() {
+    if !outcome.needs_attention() {
         return None;
     }
-    let alike = || cell.verdicts.iter().filter(|verdict| Outcome::of(verdict) == outcome);
-    let lead = alike().find(|verdict| verdict.quantity == "body-point").unwrap_or(first);
+    let alike = || cell.verdicts.iter().copied().filter(|verdict| Outcome::of(verdict) == outcome);
+    let of_record = || alike().filter(|verdict| verdict.claim == ClaimName::OrderOnRecord);
+    let whole = |verdict: &&Verdict| verdict.quantity == "body-point";
+    let lead = of_record().find(whole).or(of_record().next()).or(alike().find(whole)).unwrap_or(first);
+    let red = cell.verdicts.iter().filter(|verdict| !Outcome::of(verdict).is_green()).count();
+    let more = if red > 1 { format!(" (and {} more)", red - 1) } else { String::new() };
+    let (scheme, scene) = (cell.scheme, cell.scene);
+    let on_record = alike().any(|verdict| verdict.claim.is_on_record());
+    let remark = |claim, words| Remark { scheme, scene, outcome, claim, on_record, words };
     let cause = cell.verdicts.iter().find(|verdict| verdict.quantity == "cause");
-    let others = cell.verdicts.iter().filter(|verdict| !Outcome::of(verdict).is_green()).count() - 1;
-    let more = if others > 0 { format!(" (and {others} more)") } else { String::new() };
-    let place = format!("{}: {} in {}: ", outcome.words(), cell.scheme, cell.scene);
     if let (Ruling::Fail, Some(cause)) = (first.verdict, cause) {
         let what = first.detail.split(" (").next().unwrap_or_default();
-        return Some(format!("{place}{}: {what}; {}{more}", first.quantity, cause.detail));
+        let words = format!("{}: {what}; {}{more}", first.quantity, cause.detail);
+        return Some(remark(first.claim, words));
     }
-    let size = sizes.0.get(&(&*lead.scene, &*lead.scheme, &*lead.quantity));
+    let size = sizes.0.get(&(scene, scheme, lead.quantity.as_str()));
     let size = size.map_or("", |(_, words)| words);
-    Some(format!("{place}{size}{}, {}: {}{more}", lead.claim, lead.quantity, lead.detail))
+    let words = match (lead.claim, &lead.known_deviation) {
+        (ClaimName::OrderOnRecord, _) => {
+            format!("{}: {}; {size}{}{more}", lead.quantity, lead.detail, lead.claim)
+        }
+        (claim, Some(why)) => format!("{size}{claim}, {}: {} (known: {why})", lead.quantity, lead.detail),
+        (claim, None) => format!("{size}{claim}, {}: {}{more}", lead.quantity, lead.detail),
+    };
+    Some(remark(lead.claim, words))
 }
 
 /// All verdicts of a scheme in a scene: counts, then a line for each claim and outcome, the worst first.
@@ -152,7 +183,7 @@ fn group_line(group: &[&Verdict]) -> String {
     format!("  {:15}  {}, {quantities}: {}{known}", Outcome::of(first).words(), first.claim, first.detail)
 }
 
-fn summary(records: &Records) -> String {
+pub(super) fn summary(records: &Records) -> String {
     let counts = survey::tally_words(&survey::tally(records.verdicts.iter()));
     let cut = if records.complete { "" } else { " · interrupted: not everything was measured" };
     format!("{} verdicts: {counts}{cut}", records.verdicts.len())

@@ -47,6 +47,15 @@ pub fn turn<T: Real>(v: &Vector3<T>) -> Rotation<T> {
     Rotation::new_unchecked(Quaternion::from_parts(cosine, half * (sine / x)))
 }
 
+/// Turns by three angles [rad] one after the other, each about a coordinate axis 0, 1 or 2: of the body, which turns along, or of the
+/// world.
+///
+/// About axes of the body R = R₁ R₂ R₃, about those of the world R = R₃ R₂ R₁.
+pub(crate) fn euler(angles: [f64; 3], axes: [usize; 3], of_body: bool) -> Rotation {
+    let [first, second, third] = [0, 1, 2].map(|i| turn(&Vector3::ith(axes[i], angles[i])));
+    if of_body { first * second * third } else { third * second * first }
+}
+
 /// cos x and sin x / x, x = |half|.
 #[inline(always)]
 fn coefficients<T: Real>(half: [T; 3]) -> (T, T) {

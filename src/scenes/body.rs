@@ -1,15 +1,15 @@
 //! The table `[body]` of a scene file: mass points in any frame, or a mass and an inertia.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
-use super::SceneError;
+use super::fault::Fault;
 use super::table::Table;
 use super::value::Value;
 use super::wording;
 use crate::model::body::{Body, BodyError, MassPoint};
 
 /// The keys of `[body]`.
-pub(super) const KEYS: &[&str] = &["points", "mass", "inertia", "unphysical_inertia", "pivot"];
+pub(super) const KEYS: &[&str] = &["points", "massless", "mass", "inertia", "unphysical_inertia", "pivot"];
 
 /// A body, and where its frame lies.
 pub(super) struct Given {
@@ -21,73 +21,87 @@ pub(super) struct Given {
     pub origin: Vector3<f64>,
 }
 
-/// Reads the body.
-pub(super) fn read(entry: &Value) -> Result<Given, SceneError> {
-    let table = entry.table(KEYS)?;
-    table.not_both("points", "inertia")?;
-    let pivot = table.optional_vector("pivot")?;
+/// Reads the body, and notes all that is wrong with it.
+pub(super) fn read(entry: &Value) -> Option<Given> {
+    let document = entry.document();
+    let table = document.keep(entry.table(KEYS))?;
+    document.keep(table.not_both("points", "inertia"))?;
+    let pivot = document.keep(table.optional_vector("pivot"));
     match (table.get("points"), table.get("inertia")) {
         (Some(points), _) => from_points(&table, &points, pivot),
         (None, Some(inertia)) => from_inertia(&table, &inertia, pivot),
         (None, None) => {
-            let message = "is missing: write points = [ { mass = 1.0, position = [0.5, 0.0, 0.0] }, … ], or \
-                           mass = 1.0 and inertia = [1.0, 2.0, 2.5]";
-            Err(table.refuse("points", message))
+            let advice = "write points = [ { mass = 1.0, position = [0.5, 0.0, 0.0] }, … ], or mass = 1.0 and \
+                          inertia = [1.0, 2.0, 2.5]";
+            let line = match table.get("mass") {
+                Some(_) => "inertia = [1.0, 2.0, 2.5]",
+                None => "points = [ { mass = 1.0, position = [0.5, 0.0, 0.0] } ]",
+            };
+            document.note(table.missing("points", line).advised(advice));
+            None
         }
     }
 }
 
-fn from_points(table: &Table, points: &Value, pivot: Option<Vector3<f64>>) -> Result<Given, SceneError> {
+/// Reads mass points; `pivot` is none where it is wrong.
+fn from_points(table: &Table, points: &Value, pivot: Option<Option<Vector3<f64>>>) -> Option<Given> {
+    let document = table.document();
     for (key, why) in [
         ("mass", "the masses of the points say it: remove it"),
         ("unphysical_inertia", "mass points cannot have one: remove it"),
     ] {
-        if let Some(value) = table.get(key) {
-            return Err(value.refuse(format!("stands beside points, and {why}")));
+        if let Some(fault) = table.unwanted(key, format!("stands beside points, and {why}")) {
+            document.note(fault);
         }
     }
-    let items = points.list("a list of mass points")?;
-    let given: Vec<MassPoint> = items.iter().map(mass_point).collect::<Result<_, _>>()?;
-    let (body, center) = Body::from_points(&given, pivot).map_err(|error| match error {
-        BodyError::Empty => points.expected("at least one mass point"),
-        other => points.refuse(advised(&other)),
-    })?;
-    Ok(Given { body, center, origin: pivot.unwrap_or(center) })
+    let items = document.keep(points.list("a list of mass points"))?;
+    let given: Vec<Option<MassPoint>> = items.iter().map(mass_point).collect();
+    let given = given.into_iter().collect::<Option<Vec<_>>>()?;
+    let massless = document.keep(table.get("massless").map_or(Ok(Vec::new()), |value| places(&value)))?;
+    let pivot = pivot?;
+    let (body, center) =
+        document.keep(Body::with_massless(&given, &massless, pivot).map_err(|error| match error {
+            BodyError::Empty => points.expected("at least one mass point"),
+            BodyError::Massless => {
+                let fault = table.unwanted("massless", error.to_string());
+                fault.unwrap_or_else(|| refused(points, &error))
+            }
+            other => refused(points, &other),
+        }))?;
+    Some(Given { body, center, origin: pivot.unwrap_or(center) })
 }
 
-fn mass_point(item: &Value) -> Result<MassPoint, SceneError> {
-    let table = item.table(&["mass", "position"])?;
-    Ok(MassPoint { mass: table.required("mass")?.positive()?, position: table.vector("position")? })
+fn mass_point(item: &Value) -> Option<MassPoint> {
+    let document = item.document();
+    let table = document.keep(item.table(&["mass", "position"]))?;
+    let mass = document.keep(table.required("mass").and_then(|value| value.positive()));
+    let position = document.keep(table.vector("position"));
+    Some(MassPoint { mass: mass?, position: position? })
 }
 
-fn from_inertia(table: &Table, inertia: &Value, pivot: Option<Vector3<f64>>) -> Result<Given, SceneError> {
-    let mass = table.required("mass")?.positive()?;
-    let unphysical = table.get("unphysical_inertia").map_or(Ok(false), |flag| flag.flag())?;
-    let body = Body::from_inertia(mass, matrix(inertia)?, pivot, unphysical).map_err(|error| {
-        let place = match error {
-            BodyError::Asymmetric { row, column, .. } => entry_of(inertia, row, column),
-            _ => None,
-        };
-        place.as_ref().unwrap_or(inertia).refuse(advised(&error))
-    })?;
-    Ok(Given { body, center: Vector3::zeros(), origin: pivot.unwrap_or_default() })
+fn places(value: &Value) -> Result<Vec<Vector3<f64>>, Fault> {
+    value.list("a list of places")?.iter().map(Value::vector).collect()
 }
 
-/// Principal moments, or three rows.
-fn matrix(inertia: &Value) -> Result<Matrix3<f64>, SceneError> {
-    let what = "three principal moments, or three rows of three numbers";
-    let items = inertia.list(what)?;
-    if !items.iter().any(Value::is_list) {
-        return inertia.numbers::<3>(what).map(|moments| Matrix3::from_diagonal(&Vector3::from(moments)));
+fn from_inertia(table: &Table, inertia: &Value, pivot: Option<Option<Vector3<f64>>>) -> Option<Given> {
+    let document = table.document();
+    let message =
+        "stands beside inertia: give the body as points, or name the place of a spring by at = [x, y, z]";
+    if let Some(fault) = table.unwanted("massless", message) {
+        document.note(fault);
     }
-    if items.len() != 3 {
-        return Err(inertia.expected(what));
-    }
-    let mut matrix = Matrix3::zeros();
-    for (row, item) in items.iter().enumerate() {
-        matrix.set_row(row, &item.vector()?.transpose());
-    }
-    Ok(matrix)
+    let mass = document.keep(table.required("mass").and_then(|value| value.positive()));
+    let flag = table.get("unphysical_inertia").map_or(Ok(false), |flag| flag.flag());
+    let unphysical = document.keep(flag);
+    let matrix = document.keep(inertia.matrix("three principal moments, or three rows of three numbers"));
+    let pivot = pivot?;
+    let matrix = matrix?;
+    let body = Body::from_inertia(mass?, matrix, pivot, unphysical?).map_err(|error| {
+        let BodyError::Asymmetric { row, column, .. } = error else { return refused(inertia, &error) };
+        let fault = refused(entry_of(inertia, row, column).as_ref().unwrap_or(inertia), &error);
+        fault.replaced(format!("{:?}", matrix[(column, row)]))
+    });
+    Some(Given { body: document.keep(body)?, center: Vector3::zeros(), origin: pivot.unwrap_or_default() })
 }
 
 fn entry_of<'t>(inertia: &Value<'t>, row: usize, column: usize) -> Option<Value<'t>> {
@@ -96,16 +110,18 @@ fn entry_of<'t>(inertia: &Value<'t>, row: usize, column: usize) -> Option<Value<
 }
 
 /// What the body says of itself, with what to write instead where it does not say so.
-fn advised(error: &BodyError) -> String {
-    let advice = match error {
+fn refused(place: &Value, error: &BodyError) -> Fault {
+    let fault = place.refuse(error.to_string());
+    match error {
         BodyError::Asymmetric { row, column, .. } => {
-            format!("write the same number in row {} column {}", column + 1, row + 1)
+            fault.advised(format!("write the same number in row {} column {}", column + 1, row + 1))
         }
-        BodyError::NegativeMoment { .. } => "write moments that are zero or above".to_string(),
-        BodyError::Condition { .. } => "write zero for the smallest moment, or a thicker body".to_string(),
-        BodyError::Range => "choose other units, so that the numbers are nearer to one".to_string(),
-        BodyError::Mass { .. } | BodyError::Empty => format!("write {}", wording::example("points")),
-        BodyError::Triangle { .. } => return error.to_string(),
-    };
-    format!("{error}: {advice}")
+        BodyError::NegativeMoment { .. } => fault.advised("write moments that are zero or above"),
+        BodyError::Condition { .. } => fault.advised("write zero for the smallest moment, or a thicker body"),
+        BodyError::Range => fault.advised("choose other units, so that the numbers are nearer to one"),
+        BodyError::Mass { .. } | BodyError::Empty => {
+            fault.advised(format!("write {}", wording::example("points")))
+        }
+        BodyError::Triangle { .. } | BodyError::Massless => fault,
+    }
 }

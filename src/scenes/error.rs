@@ -1,23 +1,22 @@
-//! What can be wrong with a scene: where, what, and what to write instead.
+//! Why a scene cannot be used.
 
 use std::io;
 
+use super::fault::Fault;
 use super::wording;
 
 /// A scene that cannot be used.
 #[derive(Debug, thiserror::Error)]
 pub enum SceneError {
     /// The file says something that no scene can mean.
-    #[error("{file}:{line}: {}{message}", prefix(key))]
+    #[error("{}", lines(file, faults))]
     Content {
         /// File as the user named it.
         file: String,
-        /// Line, from 1.
-        line: usize,
-        /// Full key, as in `forces[1].stiffness`; empty where the text is not TOML at all.
-        key: String,
-        /// What was wrong, and what to write instead.
-        message: String,
+        /// What it says.
+        text: String,
+        /// All that is wrong, in the order of the file.
+        faults: Vec<Fault>,
     },
     /// The file cannot be read.
     #[error("{file}: cannot be read: {source}")]
@@ -40,8 +39,8 @@ pub enum SceneError {
     },
 }
 
-fn prefix(key: &str) -> String {
-    if key.is_empty() { String::new() } else { format!("{key}: ") }
+fn lines(file: &str, faults: &[Fault]) -> String {
+    faults.iter().map(|fault| format!("{file}:{}: {fault}", fault.line)).collect::<Vec<_>>().join("\n")
 }
 
 fn meant(near: &[&str]) -> String {

@@ -2,26 +2,31 @@
 
 use nalgebra::Vector3;
 
-use super::SceneError;
+use super::fault::Fault;
 use super::table::Table;
 use super::value::Value;
 use super::wording;
-use crate::model::forces::{Argument, Attachment, Described, Kind, Law, Parameter, TorqueAxes};
+use crate::model::forces::{Argument, Attachment, Described, Kind, Law, Parameter};
 
-/// Reads one law. `origin` is the origin of the body in the frame of its points [m].
-pub(super) fn read(entry: &Value, origin: &Vector3<f64>) -> Result<Law, SceneError> {
-    let Some(name) = entry.member("law") else { return Err(entry.lacks("law")) };
-    let given = name.text()?;
-    let Some(described) = Law::ALL.into_iter().find(|law| law.name == given) else {
-        return Err(unknown(&name, given));
-    };
-    let table = entry.table(&keys(&described))?;
-    let law = Law::build(given, |parameter| argument(&table, parameter, origin))
-        .unwrap_or_else(|| Err(unknown(&name, given)))?;
-    match law.contradiction().and_then(|(key, expected)| Some((table.get(key)?, expected))) {
-        Some((value, expected)) => Err(value.expected(expected)),
-        None => Ok(law),
+/// Reads one law, and notes all that is wrong with it. `origin` is the origin of the body in the frame of its points [m].
+pub(super) fn read(entry: &Value, origin: &Vector3<f64>) -> Option<Law> {
+    let document = entry.document();
+    let name = document.keep(entry.member("law").ok_or_else(|| entry.lacks("law")))?;
+    let given = document.keep(name.text())?;
+    let known = Law::ALL.into_iter().find(|law| law.name == given);
+    let described = document.keep(known.ok_or_else(|| unknown(&name, given)))?;
+    let table = document.keep(entry.table(&keys(&described)))?;
+    let read = described.parameters.iter().map(|p| document.keep(argument(&table, p, origin)));
+    let arguments: Vec<Option<Argument>> = read.collect();
+    let mut arguments = arguments.into_iter().collect::<Option<Vec<_>>>()?.into_iter();
+    let law = Law::build(given, |_| arguments.next().ok_or(())).and_then(Result::ok)?;
+    if let Some((key, expected)) = law.contradiction()
+        && let Some(value) = table.get(key)
+    {
+        document.note(value.expected(expected));
+        return None;
     }
+    Some(law)
 }
 
 /// The table of a law, to paste into a scene: an example of every parameter, with its unit, what it is and its default.
@@ -47,47 +52,48 @@ fn keys(law: &Described) -> Vec<&'static str> {
     std::iter::once("law").chain(law.parameters.iter().flat_map(|p| p.keys().iter().copied())).collect()
 }
 
-fn unknown(name: &Value, given: &str) -> SceneError {
+fn unknown(name: &Value, given: &str) -> Fault {
     let known = || Law::ALL.iter().map(|law| law.name);
-    let meant = wording::nearest(given, known());
-    let meant = meant.first().map_or(String::new(), |near| format!("did you mean {near}? "));
-    name.refuse(format!("no such law: {meant}the laws are {}", known().collect::<Vec<_>>().join(", ")))
+    let near = wording::nearest(given, known()).first().copied();
+    let meant = near.map_or(String::new(), |near| format!("did you mean {near}? "));
+    let laws = known().collect::<Vec<_>>().join(", ");
+    let fault =
+        name.refuse(format!("no such law as \"{}\": {meant}the laws are {laws}", wording::shortened(given)));
+    match near {
+        Some(near) => fault.replaced(format!("\"{near}\"")),
+        None => fault,
+    }
 }
 
-fn argument(table: &Table, parameter: &Parameter, origin: &Vector3<f64>) -> Result<Argument, SceneError> {
+fn argument(table: &Table, parameter: &Parameter, origin: &Vector3<f64>) -> Result<Argument, Fault> {
     if parameter.kind == Kind::Attachment {
         return attachment(table, origin).map(Argument::Attachment);
     }
     let Some(value) = table.get(parameter.key) else {
         return match &parameter.default {
             Some(default) => Ok(default.clone()),
-            None => Err(table.missing(parameter.key)),
+            None => Err(table.missing(parameter.key, &format!("{} = {}", parameter.key, parameter.example))),
         };
     };
     Ok(match parameter.kind {
         Kind::Vector if parameter.is_direction() => Argument::Vector(value.direction()?),
         Kind::Vector => Argument::Vector(value.vector()?),
+        Kind::Matrix => Argument::Matrix(value.matrix("three numbers, or three rows of three numbers")?),
         Kind::PerPoint => Argument::PerPoint(value.per_point()?),
-        Kind::Axes => Argument::Axes(axes(&value)?),
+        Kind::Axes => Argument::Axes(value.axes()?),
         Kind::Number | Kind::Attachment => Argument::Number(value.number()?),
     })
 }
 
-fn attachment(table: &Table, origin: &Vector3<f64>) -> Result<Attachment, SceneError> {
+fn attachment(table: &Table, origin: &Vector3<f64>) -> Result<Attachment, Fault> {
     let [point, at] = Parameter::PLACES;
     table.not_both(point, at)?;
     match (table.get(point), table.get(at)) {
         (Some(point), _) => Ok(Attachment::Point(point.index()?)),
         (None, Some(at)) => Ok(Attachment::At(at.vector()? - origin)),
         (None, None) => {
-            let message = "is missing: write point = 0 for a mass point, or at = [x, y, z] for any place";
-            Err(table.refuse(point, message))
+            let fault = table.missing(point, "point = 0");
+            Err(fault.advised("write point = 0 for a mass point, or at = [x, y, z] for any place"))
         }
     }
-}
-
-fn axes(value: &Value) -> Result<TorqueAxes, SceneError> {
-    let word = value.text()?;
-    let named = TorqueAxes::ALL.into_iter().find(|axes| axes.word() == word);
-    named.ok_or_else(|| value.expected("\"world\" or \"body\""))
 }

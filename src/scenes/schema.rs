@@ -6,6 +6,9 @@ use serde_json::{Map, Value, json};
 
 use crate::model::forces::{Argument, Attachment, Described, Kind, Law, Parameter, PerPoint, TorqueAxes};
 
+/// The title by which a schema of this program is known.
+pub(crate) const SCHEMA_TITLE: &str = "A scene of Polhode";
+
 /// The schema of a scene file.
 pub fn schema() -> Value {
     let reason = json!({"type": "string", "pattern": "\\S"});
@@ -16,7 +19,7 @@ pub fn schema() -> Value {
     definitions.insert("vector".to_owned(), numbers(3));
     json!({
         "$schema": "http://json-schema.org/draft-07/schema#",
-        "title": "A scene of Polhode",
+        "title": SCHEMA_TITLE,
         "type": "object",
         "additionalProperties": false,
         "required": ["name", "duration", "body"],
@@ -49,6 +52,13 @@ fn vector(description: &str) -> Value {
     json!({"allOf": [{"$ref": "#/definitions/vector"}], "description": description})
 }
 
+/// Three numbers on the diagonal, or three rows.
+fn matrix(description: &str) -> Value {
+    let rows =
+        json!({"type": "array", "items": {"$ref": "#/definitions/vector"}, "minItems": 3, "maxItems": 3});
+    json!({"oneOf": [{"$ref": "#/definitions/vector"}, rows], "description": description})
+}
+
 fn body() -> Value {
     let mass = json!({"type": "number", "exclusiveMinimum": 0, "description": "kg"});
     let point = json!({
@@ -57,22 +67,19 @@ fn body() -> Value {
         "required": ["mass", "position"],
         "properties": {"mass": mass, "position": vector("m; body axes, in any frame")},
     });
-    let rows =
-        json!({"type": "array", "items": {"$ref": "#/definitions/vector"}, "minItems": 3, "maxItems": 3});
     json!({
         "type": "object",
         "additionalProperties": false,
         "oneOf": [
             {"required": ["points"], "not": {"anyOf": [{"required": ["mass"]}, {"required": ["unphysical_inertia"]}]}},
-            {"required": ["mass", "inertia"]},
+            {"required": ["mass", "inertia"], "not": {"required": ["massless"]}},
         ],
         "properties": {
             "points": {"type": "array", "items": point, "minItems": 1},
+            "massless": {"type": "array", "items": {"$ref": "#/definitions/vector"}, "minItems": 1,
+                "description": "m; points that carry forces alone, in the frame of the points, counted on after them"},
             "mass": mass,
-            "inertia": {
-                "oneOf": [{"$ref": "#/definitions/vector"}, rows],
-                "description": "kg m²; principal moments or three rows, about the centre of mass, body axes",
-            },
+            "inertia": matrix("kg m²; principal moments or three rows, about the centre of mass, body axes"),
             "unphysical_inertia": {
                 "type": "boolean",
                 "description": "admits moments that no positive masses have",
@@ -83,15 +90,35 @@ fn body() -> Value {
 }
 
 fn initial() -> Value {
+    let euler = json!({
+        "type": "object",
+        "additionalProperties": false,
+        "required": ["euler", "sequence", "unit"],
+        "properties": {
+            "euler": vector("three angles, one after the other"),
+            "sequence": {"type": "string", "pattern": "^[xyz]{3}$", "description": "the axis of each"},
+            "axes": {"enum": TorqueAxes::ALL.map(TorqueAxes::word), "default": "body",
+                "description": "axes of the body turn along, axes of the world stay"},
+            "unit": {"enum": ["deg", "rad"]},
+        },
+    });
+    let quaternion = described(numbers(4), "w, x, y, z; a unit quaternion");
+    let pairs = |[a, b]: [&str; 2]| json!({"required": [a, b]});
+    let spins = [
+        ["angular_velocity", "angular_momentum"],
+        ["angular_velocity", "angular_velocity_body"],
+        ["angular_velocity_body", "angular_momentum"],
+    ];
     json!({
         "type": "object",
         "additionalProperties": false,
-        "not": {"required": ["angular_velocity", "angular_momentum"]},
+        "not": {"anyOf": spins.map(pairs)},
         "properties": {
             "position": vector("m; the centre of mass, world"),
-            "orientation": described(numbers(4), "w, x, y, z; body axes to world axes; a unit quaternion"),
+            "orientation": {"oneOf": [quaternion, euler], "description": "takes body axes to world axes"},
             "velocity": vector("m/s; of the centre of mass, world"),
             "angular_velocity": vector("rad/s; world"),
+            "angular_velocity_body": vector("rad/s; body axes"),
             "angular_momentum": vector("kg m²/s; world, about the centre of mass or the pivot"),
         },
     })
@@ -130,6 +157,7 @@ fn of_parameter(parameter: &Parameter, key: &str) -> Value {
     let mut value = match parameter.kind {
         Kind::Number => described(json!({"type": "number"}), &description),
         Kind::Vector => vector(&description),
+        Kind::Matrix => matrix(&description),
         Kind::PerPoint => {
             let list = json!({"type": "array", "items": {"type": "number"}, "minItems": 1});
             described(json!({"oneOf": [{"type": "number"}, list]}), &description)
@@ -154,6 +182,9 @@ pub(crate) fn to_json(argument: &Argument) -> Value {
     match argument {
         Argument::Number(value) | Argument::PerPoint(PerPoint::Same(value)) => json!(value),
         Argument::PerPoint(PerPoint::Each(values)) => json!(values),
+        Argument::Matrix(m) => {
+            json!([0, 1, 2].map(|i| [m[(i, 0)], m[(i, 1)], m[(i, 2)]]))
+        }
         Argument::Vector(v) | Argument::Attachment(Attachment::At(v)) => json!([v.x, v.y, v.z]),
         Argument::Attachment(Attachment::Point(index)) => json!(index),
         Argument::Axes(axes) => json!(axes.word()),

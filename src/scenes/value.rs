@@ -1,35 +1,15 @@
 //! A value of a scene file together with the place it stands at, so that what is wrong with it can be said.
 
-use nalgebra::{Vector3, Vector4};
+use nalgebra::{Matrix3, Vector3, Vector4};
 use toml::Spanned;
 use toml::de::{DeInteger, DeValue};
 
-use super::SceneError;
+use super::document::Document;
+use super::fault::Fault;
 use super::table::Table;
 use super::wording;
-use crate::model::forces::PerPoint;
+use crate::model::forces::{PerPoint, TorqueAxes};
 use crate::rotation;
-
-/// A scene file and its name.
-pub(super) struct Document<'t> {
-    /// Name as the user gave it.
-    pub file: &'t str,
-    /// What it says.
-    pub text: &'t str,
-}
-
-impl Document<'_> {
-    /// An error at a byte of the text.
-    pub fn refuse(&self, offset: usize, key: &str, message: impl Into<String>) -> SceneError {
-        let before = &self.text.as_bytes()[..offset.min(self.text.len())];
-        SceneError::Content {
-            file: self.file.to_string(),
-            line: 1 + before.iter().filter(|byte| **byte == b'\n').count(),
-            key: key.to_string(),
-            message: message.into(),
-        }
-    }
-}
 
 /// A value, its full key and where it stands.
 #[derive(Clone)]
@@ -46,18 +26,21 @@ impl<'t> Value<'t> {
     }
 
     /// Says what is wrong here.
-    pub fn refuse(&self, message: impl Into<String>) -> SceneError {
-        self.document.refuse(self.value.span().start, &self.path, message)
+    pub fn refuse(&self, message: impl Into<String>) -> Fault {
+        self.document.fault(self.value.span(), &self.path, message)
     }
 
     /// Says what should stand here.
-    pub fn expected(&self, what: &str) -> SceneError {
-        let found = described(self.value.get_ref());
-        self.refuse(format!("expected {what}, found {found}: write {}", wording::example(&self.path)))
+    pub fn expected(&self, what: &str) -> Fault {
+        let fault = self.refuse(format!("expected {what}, found {}", described(self.value.get_ref())));
+        match wording::value(&self.path) {
+            Some(value) => fault.advised(format!("write {}", wording::example(&self.path))).replaced(value),
+            None => fault.advised(format!("write {}", wording::example(&self.path))),
+        }
     }
 
     /// A finite number; an integer counts as one.
-    pub fn number(&self) -> Result<f64, SceneError> {
+    pub fn number(&self) -> Result<f64, Fault> {
         let number = match self.value.get_ref() {
             DeValue::Integer(integer) => integer_as_number(integer),
             DeValue::Float(float) => float.as_str().parse::<f64>().ok(),
@@ -71,13 +54,13 @@ impl<'t> Value<'t> {
     }
 
     /// A finite number above zero.
-    pub fn positive(&self) -> Result<f64, SceneError> {
+    pub fn positive(&self) -> Result<f64, Fault> {
         let number = self.number()?;
         if number > 0.0 { Ok(number) } else { Err(self.expected("a number above zero")) }
     }
 
     /// An index, counted from 0.
-    pub fn index(&self) -> Result<usize, SceneError> {
+    pub fn index(&self) -> Result<usize, Fault> {
         let index = match self.value.get_ref() {
             DeValue::Integer(integer) => usize::from_str_radix(integer.as_str(), integer.radix()).ok(),
             _ => None,
@@ -86,7 +69,7 @@ impl<'t> Value<'t> {
     }
 
     /// A text.
-    pub fn text(&self) -> Result<&'t str, SceneError> {
+    pub fn text(&self) -> Result<&'t str, Fault> {
         match self.value.get_ref() {
             DeValue::String(text) => Ok(text.as_ref()),
             _ => Err(self.expected("a text in quotes")),
@@ -94,11 +77,23 @@ impl<'t> Value<'t> {
     }
 
     /// True or false.
-    pub fn flag(&self) -> Result<bool, SceneError> {
+    pub fn flag(&self) -> Result<bool, Fault> {
         match self.value.get_ref() {
             DeValue::Boolean(flag) => Ok(*flag),
             _ => Err(self.expected("true or false")),
         }
+    }
+
+    /// World or body axes.
+    pub fn axes(&self) -> Result<TorqueAxes, Fault> {
+        let word = self.text()?;
+        let named = TorqueAxes::ALL.into_iter().find(|axes| axes.word() == word);
+        named.ok_or_else(|| self.expected("\"world\" or \"body\""))
+    }
+
+    /// Whether a table stands here.
+    pub fn is_table(&self) -> bool {
+        matches!(self.value.get_ref(), DeValue::Table(_))
     }
 
     /// Whether a list stands here.
@@ -106,8 +101,14 @@ impl<'t> Value<'t> {
         matches!(self.value.get_ref(), DeValue::Array(_))
     }
 
+    /// The first item of a list of numbers, as TOML writes it.
+    pub fn first_item(&self) -> Option<String> {
+        let number = self.list("").ok()?.first()?.number().ok()?;
+        Some(format!("{number:?}"))
+    }
+
     /// The items of a list; `what` says of what.
-    pub fn list(&self, what: &str) -> Result<Vec<Value<'t>>, SceneError> {
+    pub fn list(&self, what: &str) -> Result<Vec<Value<'t>>, Fault> {
         match self.value.get_ref() {
             DeValue::Array(items) => Ok(items
                 .iter()
@@ -119,7 +120,7 @@ impl<'t> Value<'t> {
     }
 
     /// A list of N finite numbers.
-    pub fn numbers<const N: usize>(&self, what: &str) -> Result<[f64; N], SceneError> {
+    pub fn numbers<const N: usize>(&self, what: &str) -> Result<[f64; N], Fault> {
         let items = self.list(what)?;
         if items.len() != N {
             return Err(self.expected(what));
@@ -132,22 +133,43 @@ impl<'t> Value<'t> {
     }
 
     /// Three numbers.
-    pub fn vector(&self) -> Result<Vector3<f64>, SceneError> {
+    pub fn vector(&self) -> Result<Vector3<f64>, Fault> {
         self.numbers::<3>("a list of three numbers").map(Vector3::from)
     }
 
+    /// Three numbers on a diagonal, or three rows; `what` says what they are.
+    pub fn matrix(&self, what: &str) -> Result<Matrix3<f64>, Fault> {
+        let items = self.list(what)?;
+        if !items.iter().any(Value::is_list) {
+            return self.numbers::<3>(what).map(|moments| Matrix3::from_diagonal(&Vector3::from(moments)));
+        }
+        if items.len() != 3 {
+            return Err(self.expected(what));
+        }
+        let mut matrix = Matrix3::zeros();
+        for (row, item) in items.iter().enumerate() {
+            let instead = ["[1.0, 0.0, 0.0]", "[0.0, 2.0, 0.0]", "[0.0, 0.0, 2.5]"][row];
+            if !item.is_list() {
+                return Err(item.expected("a row of three numbers").replaced(instead));
+            }
+            matrix.set_row(row, &item.numbers::<3>("a row of three numbers")?.into());
+        }
+        Ok(matrix)
+    }
+
     /// Four numbers.
-    pub fn quaternion(&self) -> Result<Vector4<f64>, SceneError> {
+    pub fn quaternion(&self) -> Result<Vector4<f64>, Fault> {
         self.numbers::<4>("a unit quaternion of four numbers w, x, y, z").map(Vector4::from)
     }
 
     /// Three numbers that say a direction, brought to length one.
-    pub fn direction(&self) -> Result<Vector3<f64>, SceneError> {
+    pub fn direction(&self) -> Result<Vector3<f64>, Fault> {
         let given = self.vector()?;
         let scale = given.amax();
         if scale == 0.0 {
-            return Err(self
-                .refuse(format!("a zero vector has no direction: write {}", wording::example(&self.path))));
+            let fault = self.refuse("a zero vector has no direction");
+            let advice = format!("write {}", wording::example(&self.path));
+            return Err(fault.advised(advice).replaced(wording::value(&self.path).unwrap_or_default()));
         }
         let scaled = given / scale;
         // A scale below the normal range loses digits, and its inverse may overflow.
@@ -158,7 +180,7 @@ impl<'t> Value<'t> {
     }
 
     /// One number for all mass points, or a list of one each.
-    pub fn per_point(&self) -> Result<PerPoint, SceneError> {
+    pub fn per_point(&self) -> Result<PerPoint, Fault> {
         if !self.is_list() {
             return self.number().map(PerPoint::Same);
         }
@@ -167,24 +189,30 @@ impl<'t> Value<'t> {
     }
 
     /// A table that may have these keys and no others.
-    pub fn table(&self, keys: &[&str]) -> Result<Table<'t>, SceneError> {
+    pub fn table(&self, keys: &[&str]) -> Result<Table<'t>, Fault> {
         match self.value.get_ref() {
             DeValue::Table(entries) => {
-                Table::open(self.document, self.path.clone(), self.value.span().start, entries, keys)
+                Ok(Table::open(self.document, self.path.clone(), self.value.span(), entries, keys))
             }
             _ => Err(self.expected("a table")),
         }
     }
 
     /// Says that the table that should stand here lacks a key.
-    pub fn lacks(&self, key: &str) -> SceneError {
+    pub fn lacks(&self, key: &str) -> Fault {
         match self.value.get_ref() {
-            DeValue::Table(_) => {
-                let message = format!("is missing: write {}", wording::example(key));
-                self.document.refuse(self.value.span().start, &format!("{}.{key}", self.path), message)
+            DeValue::Table(entries) => {
+                let keys: Vec<&str> = entries.iter().map(|(key, _)| key.get_ref().as_ref()).collect();
+                let table = Table::open(self.document, self.path.clone(), self.value.span(), entries, &keys);
+                table.missing(key, &wording::line(&format!("{}.{key}", self.path)))
             }
             _ => self.expected("a table"),
         }
+    }
+
+    /// The document that it is in.
+    pub fn document(&self) -> &'t Document<'t> {
+        self.document
     }
 
     /// A value of the table that stands here, whatever other keys it has.
@@ -207,9 +235,9 @@ fn integer_as_number(integer: &DeInteger) -> Option<f64> {
 
 fn described(value: &DeValue) -> String {
     match value {
-        DeValue::String(text) => format!("the text \"{}\"", shortened(text)),
-        DeValue::Integer(integer) => shortened(&integer.to_string()),
-        DeValue::Float(float) => shortened(float.as_str()),
+        DeValue::String(text) => format!("the text \"{}\"", wording::shortened(text)),
+        DeValue::Integer(integer) => wording::shortened(&integer.to_string()),
+        DeValue::Float(float) => wording::shortened(float.as_str()),
         DeValue::Boolean(flag) => flag.to_string(),
         DeValue::Datetime(_) => "a date".to_string(),
         DeValue::Array(items) => match items.len() {
@@ -219,13 +247,4 @@ fn described(value: &DeValue) -> String {
         },
         DeValue::Table(_) => "a table".to_string(),
     }
-}
-
-/// A text short enough for a message, on one line.
-fn shortened(text: &str) -> String {
-    let mut shown: String = text.chars().take(40).flat_map(char::escape_debug).collect();
-    if text.chars().nth(40).is_some() {
-        shown.push('…');
-    }
-    shown
 }

@@ -1,31 +1,36 @@
 //! What error messages suggest: an example for every key of the format, and the word that was meant.
 
-use crate::model::forces::{Kind, Law, TorqueAxes};
+use crate::model::forces::{Kind, Law, Parameter, TorqueAxes};
 
-/// Keys of a scene file, and a line that would be right. Those of the laws stand in their tables.
+/// Keys of a scene file, and values that would be right. Those of the laws stand in their tables.
 const EXAMPLES: &[(&str, &str)] = &[
-    ("name", "name = \"my-scene\""),
-    ("title", "title = \"One line for the report\""),
-    ("why", "why = \"what this scene shows that others do not\""),
-    ("duration", "duration = 10.0"),
-    ("not_for_order", "not_for_order = \"the reason\""),
-    ("only_for_stability", "only_for_stability = \"the reason\""),
-    ("body", "a table [body] with points, or with mass and inertia"),
-    ("initial", "a table [initial]"),
-    ("forces", "a table [[forces]] for each law"),
-    ("points", "points = [ { mass = 1.0, position = [0.5, 0.0, 0.0] }, … ]"),
-    ("mass", "mass = 1.0"),
-    ("inertia", "inertia = [1.0, 2.0, 2.5], or three rows of three numbers"),
-    ("unphysical_inertia", "unphysical_inertia = true"),
-    ("pivot", "pivot = [0.0, 0.0, 0.0]"),
-    ("position", "position = [0.0, 0.0, 0.0]"),
-    ("orientation", "orientation = [1.0, 0.0, 0.0, 0.0]"),
-    ("velocity", "velocity = [0.0, 0.0, 0.0]"),
-    ("angular_velocity", "angular_velocity = [0.0, 0.0, 1.0]"),
-    ("angular_momentum", "angular_momentum = [0.0, 0.0, 1.0]"),
-    ("law", "law = \"gravity\""),
-    ("point", "point = 0"),
-    ("at", "at = [0.0, 0.0, 0.5]"),
+    ("name", "\"my-scene\""),
+    ("title", "\"One line for the report\""),
+    ("why", "\"what this scene shows that others do not\""),
+    ("duration", "10.0"),
+    ("not_for_order", "\"the reason\""),
+    ("only_for_stability", "\"the reason\""),
+    ("body", "{ mass = 1.0, inertia = [1.0, 2.0, 2.5] }"),
+    ("initial", "{ angular_velocity = [0.0, 0.0, 1.0] }"),
+    ("forces", "[ { law = \"gravity\", acceleration = [0.0, 0.0, -9.81] } ]"),
+    ("points", "[ { mass = 1.0, position = [0.5, 0.0, 0.0] } ]"),
+    ("massless", "[ [0.0, 0.0, 1.0] ]"),
+    ("mass", "1.0"),
+    ("inertia", "[1.0, 2.0, 2.5]"),
+    ("unphysical_inertia", "true"),
+    ("pivot", "[0.0, 0.0, 0.0]"),
+    ("position", "[0.0, 0.0, 0.0]"),
+    ("orientation", "[1.0, 0.0, 0.0, 0.0]"),
+    ("velocity", "[0.0, 0.0, 0.0]"),
+    ("angular_velocity", "[0.0, 0.0, 1.0]"),
+    ("angular_velocity_body", "[0.0, 0.0, 1.0]"),
+    ("angular_momentum", "[0.0, 0.0, 1.0]"),
+    ("euler", "[30.0, 20.0, 10.0]"),
+    ("sequence", "\"zyx\""),
+    ("unit", "\"deg\""),
+    ("law", "\"gravity\""),
+    ("point", "0"),
+    ("at", "[0.0, 0.0, 0.5]"),
 ];
 
 /// The last key of a path, without its indices: `stiffness` of `forces[1].stiffness`.
@@ -34,21 +39,78 @@ pub(super) fn last_key(path: &str) -> &str {
     last.split('[').next().unwrap_or(last)
 }
 
-/// A line that would be right in place of the value at `path`.
-pub(super) fn example(path: &str) -> String {
+/// The parameter of a law with this key.
+fn parameter(key: &str) -> Option<&'static Parameter> {
+    Law::ALL.iter().flat_map(|law| law.parameters).find(|parameter| parameter.key == key)
+}
+
+/// A value that would be right at `path`; `None` where none is known.
+pub(super) fn value(path: &str) -> Option<String> {
     let key = last_key(path);
-    if let Some((_, line)) = EXAMPLES.iter().find(|(known, _)| *known == key) {
-        return (*line).to_owned();
+    if path.ends_with(']') {
+        return Some(item(path, key).to_owned());
     }
-    let Some(parameter) = Law::ALL.iter().flat_map(|law| law.parameters).find(|p| p.key == key) else {
-        return "a value that fits".to_owned();
-    };
-    let line = format!("{key} = {}", parameter.example);
-    match parameter.kind {
-        Kind::PerPoint => format!("{line}, or a list of one for each point"),
-        Kind::Axes => TorqueAxes::ALL.map(|axes| format!("{key} = \"{}\"", axes.word())).join(" or "),
+    let known = EXAMPLES.iter().find(|(known, _)| *known == key).map(|(_, value)| (*value).to_owned());
+    known.or_else(|| parameter(key).map(|parameter| parameter.example.to_string()))
+}
+
+/// An item of a list that would be right: a mass point, a law, a place, else a number.
+fn item(path: &str, key: &str) -> &'static str {
+    match key {
+        "points" => "{ mass = 1.0, position = [0.5, 0.0, 0.0] }",
+        "forces" => "{ law = \"gravity\", acceleration = [0.0, 0.0, -9.81] }",
+        "massless" if !path.contains("][") => "[0.0, 0.0, 1.0]",
+        _ => "1.0",
+    }
+}
+
+/// A whole line that would be right for the key at `path`.
+pub(super) fn line(path: &str) -> String {
+    let key = last_key(path);
+    value(path).map_or_else(|| format!("{key} = 1.0"), |value| format!("{key} = {value}"))
+}
+
+/// A line that would be right in place of the value at `path`, in words where there is a choice.
+pub(super) fn example(path: &str) -> String {
+    let (key, line) = (last_key(path), line(path));
+    if path.ends_with(']') {
+        return value(path).unwrap_or_default();
+    }
+    match (key, parameter(key).map(|parameter| parameter.kind)) {
+        ("body", _) => "a table [body] with points, or with mass and inertia".to_owned(),
+        ("initial", _) => "a table [initial]".to_owned(),
+        ("forces", _) => "a table [[forces]] for each law".to_owned(),
+        ("inertia", _) | (_, Some(Kind::Matrix)) => format!("{line}, or three rows of three numbers"),
+        (_, Some(Kind::PerPoint)) => format!("{line}, or a list of one for each point"),
+        (_, Some(Kind::Axes)) => {
+            TorqueAxes::ALL.map(|axes| format!("{key} = \"{}\"", axes.word())).join(" or ")
+        }
         _ => line,
     }
+}
+
+/// The name nearest to a text that is a name of a scene.
+pub(super) fn kebab(text: &str) -> String {
+    let lower = text.to_lowercase();
+    let words = lower.split(|letter: char| !letter.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
+    let mut name = String::new();
+    for word in words {
+        if name.len() + 1 + word.len() > 100 {
+            break;
+        }
+        name += if name.is_empty() { "" } else { "-" };
+        name += word;
+    }
+    if name.is_empty() { "my-scene".to_owned() } else { name }
+}
+
+/// A text short enough for a message, on one line.
+pub(super) fn shortened(text: &str) -> String {
+    let mut shown: String = text.chars().take(40).flat_map(char::escape_debug).collect();
+    if text.chars().nth(40).is_some() {
+        shown.push('…');
+    }
+    shown
 }
 
 /// The candidates that a mistyped word may stand for, the closest first.

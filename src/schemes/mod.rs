@@ -267,6 +267,11 @@ pub const MAIN: [&str; 12] = [
     "moser-veselov-4",
 ];
 
+/// Number of the colour, marker and dash of a main scheme in every picture.
+pub fn look(name: &str) -> Option<usize> {
+    MAIN.iter().position(|main| *main == name)
+}
+
 list! {
     any:
     peskin_rk2::PeskinRk2,

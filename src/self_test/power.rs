@@ -12,7 +12,7 @@ use crate::claim::Claim;
 use crate::gates::Baseline;
 use crate::interrupt;
 use crate::record::{ClaimName, Ruling, Verdict};
-use crate::scenes::random;
+use crate::scenes::random::{self, Family};
 use crate::schemes::Card;
 use crate::simulate::Contestant;
 
@@ -83,7 +83,7 @@ pub fn run(seed: u64, count: u64) -> Vec<Row> {
     let judged: Vec<(u64, Vec<Verdict>)> = (0..count)
         .into_par_iter()
         .filter(|_| !interrupt::requested())
-        .filter_map(|number| Some((number, random::scene(seed, number).ok()?)))
+        .filter_map(|number| Some((number, random::scene(Family::Ordinary, seed, number).ok()?)))
         .map(|(number, scene)| {
             let campaign =
                 Campaign { baseline: Baseline::default(), ..Campaign::of(vec![scene], contestants.clone()) };

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use crate::campaign::Campaign;
 use crate::interrupt;
 use crate::record::{ClaimName, Ruling, Verdict};
-use crate::scenes::random;
+use crate::scenes::random::{self, Family};
 use crate::simulate::Contestant;
 
 /// Correct schemes of seven families: the note's, a classical Runge–Kutta, one in rotation vectors, a splitting, an implicit
@@ -26,6 +26,8 @@ pub const SCHEMES: [&str; 7] = [
 /// A verdict that is against a correct scheme, or that is none, and where.
 #[derive(Clone, Debug)]
 pub struct Finding {
+    /// Family of the scene.
+    pub family: Family,
     /// Number of the scene.
     pub number: u64,
     /// The verdict.
@@ -103,7 +105,7 @@ impl Findings {
         causes
     }
 
-    fn take(&mut self, number: u64, verdicts: Vec<Verdict>) {
+    fn take(&mut self, family: Family, number: u64, verdicts: Vec<Verdict>) {
         self.scenes += 1;
         let mut worst: BTreeMap<String, Ruling> = BTreeMap::new();
         for verdict in verdicts {
@@ -116,8 +118,8 @@ impl Findings {
                 *own = verdict.verdict;
             }
             match verdict.verdict {
-                Ruling::Fail | Ruling::Broken => self.against.push(Finding { number, verdict }),
-                Ruling::Inconclusive => self.undecided.push(Finding { number, verdict }),
+                Ruling::Fail | Ruling::Broken => self.against.push(Finding { family, number, verdict }),
+                Ruling::Inconclusive => self.undecided.push(Finding { family, number, verdict }),
                 Ruling::Pass | Ruling::NotApplicable => {}
             }
         }
@@ -149,13 +151,14 @@ pub(super) fn cause(verdict: &Verdict) -> String {
     format!("{}: {}", verdict.claim, words.join(" "))
 }
 
-/// Judges [`SCHEMES`] in the first `count` random scenes of a seed. `progress` is called as (done, of all).
-pub fn run(seed: u64, count: u64, progress: &(dyn Fn(usize, usize) + Sync)) -> Findings {
+/// Judges [`SCHEMES`] in the first `count` random scenes of a seed, whose families take turns. `progress` is called as (done, of all).
+pub fn run(families: &[Family], seed: u64, count: u64, progress: &(dyn Fn(usize, usize) + Sync)) -> Findings {
     let done = AtomicUsize::new(0);
+    let family = |number: u64| families[number as usize % families.len()];
     let judged: Vec<Option<Vec<Verdict>>> = (0..count)
         .into_par_iter()
         .map(|number| {
-            let verdicts = (!interrupt::requested()).then(|| judge(seed, number));
+            let verdicts = (!interrupt::requested()).then(|| judge(family(number), seed, number));
             progress(done.fetch_add(1, Ordering::Relaxed) + 1, count as usize);
             verdicts.filter(|_| !interrupt::requested())
         })
@@ -163,18 +166,18 @@ pub fn run(seed: u64, count: u64, progress: &(dyn Fn(usize, usize) + Sync)) -> F
     let mut findings = Findings { complete: !interrupt::requested(), ..Findings::default() };
     for (number, verdicts) in (0..count).zip(judged) {
         if let Some(verdicts) = verdicts {
-            findings.take(number, verdicts);
+            findings.take(family(number), number, verdicts);
         }
     }
     findings
 }
 
 /// The verdicts on the schemes in one scene; a text that is no scene counts against the generator.
-fn judge(seed: u64, number: u64) -> Vec<Verdict> {
-    let scene = match random::scene(seed, number) {
+fn judge(family: Family, seed: u64, number: u64) -> Vec<Verdict> {
+    let scene = match random::scene(family, seed, number) {
         Ok(scene) => scene,
         Err(error) => {
-            let (scene, detail) = (format!("random-{seed}-{number}"), error.to_string());
+            let (scene, detail) = (format!("{family}-{seed}-{number}"), error.to_string());
             let scheme = "generator".to_owned();
             return vec![Verdict { scene, scheme, verdict: Ruling::Broken, detail, ..Verdict::default() }];
         }

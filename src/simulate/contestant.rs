@@ -129,7 +129,7 @@ impl Contestant {
     /// Name of the model that stands for a scene in its least form.
     pub fn model(&self, system: &System) -> &'static str {
         match system.least() {
-            _ if !self.limits.reduced => "points",
+            _ if self.needs_points() => "points",
             AnyModel::Free(_) if !self.limits.keeps_momentum => "torque",
             AnyModel::Falling(_) if !self.limits.keeps_momentum => "forced",
             least => least.name(),
@@ -255,6 +255,11 @@ impl Contestant {
     /// Most steps that a run of a ladder may have.
     pub fn most_steps(&self) -> u64 {
         self.most_steps
+    }
+
+    /// Whether the scheme runs on the mass points alone.
+    pub fn needs_points(&self) -> bool {
+        !self.limits.reduced
     }
 
     /// Whether the scheme runs on the mass points.

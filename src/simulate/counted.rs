@@ -21,6 +21,11 @@ impl<'a, M> Counted<'a, M> {
         Counted { model, evaluations: Cell::new(0), solves: Cell::new(0), iterations: Cell::new(0) }
     }
 
+    /// Goes on with another model of the same body.
+    pub(super) fn switch(&mut self, model: &'a M) {
+        self.model = model;
+    }
+
     /// Puts what was counted into an outcome.
     pub(super) fn tell(&self, outcome: &mut Outcome) {
         outcome.evaluations = self.evaluations.get();

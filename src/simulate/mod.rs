@@ -187,10 +187,20 @@ struct Stepper<'a, S, M: Model> {
     work: Workspace<Counted<'a, M>>,
     kept_work: Workspace<Counted<'a, M>>,
     scheme: S,
+    /// The model between the jumps of its laws, each with the step that it ends before; none where no law jumps.
+    pieces: Vec<(u64, &'a M)>,
 }
 
-impl<'a, S: Stepping<Counted<'a, M>>, M: Model> Drive<M::Real> for Stepper<'a, S, M> {
-    fn advance(&mut self, from: u64, to: u64) -> Result<(), (u64, Broken)> {
+impl<'a, S: Stepping<Counted<'a, M>>, M: Model> Stepper<'a, S, M> {
+    /// Takes the model that holds from a step on, and returns the step that it ends before.
+    fn enter(&mut self, n: u64) -> u64 {
+        let Some((end, model)) = self.pieces.iter().find(|(end, _)| n < *end) else { return u64::MAX };
+        self.model.switch(model);
+        *end
+    }
+
+    /// Steps with one model.
+    fn take(&mut self, from: u64, to: u64) -> Result<(), (u64, Broken)> {
         // Places are exchanged, not states: those of a small model would be copied with every step.
         let (mut now, mut next) = (&mut self.now, &mut self.next);
         let mut result = Ok(());
@@ -211,6 +221,17 @@ impl<'a, S: Stepping<Counted<'a, M>>, M: Model> Drive<M::Real> for Stepper<'a, S
         // The state is an output of the loop: without this a run that stores nothing could be deleted.
         std::hint::black_box(&self.now);
         result
+    }
+}
+
+impl<'a, S: Stepping<Counted<'a, M>>, M: Model> Drive<M::Real> for Stepper<'a, S, M> {
+    fn advance(&mut self, mut from: u64, to: u64) -> Result<(), (u64, Broken)> {
+        while from < to {
+            let end = self.enter(from).min(to);
+            self.take(from, end)?;
+            from = end;
+        }
+        Ok(())
     }
 
     fn keep(&mut self) {
@@ -253,14 +274,19 @@ fn advance_checked<T: Real>(run: &mut dyn Drive<T>, from: u64, to: u64) -> Resul
     result
 }
 
-fn run<'a, S: Stepping<Counted<'a, M>>, M: Model>(
+fn run<S, M: Model + 'static>(
     scheme: S,
-    model: &'a M,
+    model: &M,
     plan: &Plan,
     store: &mut dyn FnMut(&Snapshot<M::Real>),
-) -> Outcome {
-    let start = model.start();
-    let work = || Workspace::new(&start, S::STATES);
+) -> Outcome
+where
+    S: for<'a> Stepping<Counted<'a, M>>,
+{
+    let (start, pieces) = (model.start(), model.pieces());
+    // A step belongs to the piece that its middle lies in.
+    let first_after = |end: M::Real| (end.to_f64() / plan.step - 0.5).ceil().max(0.0) as u64;
+    let work = || Workspace::new(&start, <S as Stepping<Counted<M>>>::STATES);
     let mut stepper = Stepper::<S, M> {
         model: Counted::new(model),
         step: plan.step_in(),
@@ -270,6 +296,7 @@ fn run<'a, S: Stepping<Counted<'a, M>>, M: Model>(
         work: work(),
         now: start,
         scheme,
+        pieces: pieces.iter().map(|(end, piece)| (first_after(*end), piece)).collect(),
     };
     drive(&mut stepper, plan, store)
 }

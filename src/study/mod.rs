@@ -8,6 +8,8 @@ pub mod cost;
 #[cfg(feature = "cli")]
 pub mod ensemble;
 #[cfg(feature = "cli")]
+pub mod expect;
+#[cfg(feature = "cli")]
 pub mod precision;
 #[cfg(feature = "cli")]
 pub mod published;

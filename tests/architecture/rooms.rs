@@ -89,7 +89,23 @@ const EDGES: &[(&str, &[&str])] = &[
     ),
     ("assertion", &["campaign", "claim", "gates", "record", "scenes", "schemes", "simulate"]),
     ("inspect", &["bounded", "model", "rotation", "scenes"]),
-    ("log", &["bounded", "model", "ode", "record", "reference", "rotation", "scenes"]),
+    (
+        "log",
+        &[
+            "bounded",
+            "measure",
+            "model",
+            "ode",
+            "record",
+            "reference",
+            "rotation",
+            "scenes",
+            "schemes",
+            "simulate",
+            "study",
+            "words",
+        ],
+    ),
     (
         "self_test",
         &[
@@ -155,6 +171,7 @@ const EDGES: &[(&str, &[&str])] = &[
 const STUDIES: &[(&str, &[&str])] = &[
     ("cause", &[]),
     ("cost", &[]),
+    ("expect", &[]),
     ("precision", &[]),
     ("published", &[]),
     ("ensemble", &[]),

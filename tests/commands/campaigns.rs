@@ -80,11 +80,9 @@ fn a_comparison_with_nothing_is_2_and_says_so() {
     let matched = gate(&own);
     assert_eq!(code(&matched), 0, "{}", stderr(&matched));
     let said = stderr(&matched);
-    let counts: Vec<usize> = said.split(' ').filter_map(|word| word.parse().ok()).collect();
-    assert!(
-        said.contains("constants compared") && counts.len() == 2 && counts[0] == counts[1] && counts[0] > 0,
-        "{said}"
-    );
+    let line = said.lines().find(|line| line.ends_with("constants compared")).expect("a line");
+    let counts: Vec<usize> = line.split(' ').filter_map(|word| word.parse().ok()).collect();
+    assert!(counts.len() == 2 && counts[0] == counts[1] && counts[0] > 0, "{said}");
     let unmatched = gate(&other);
     assert_eq!(code(&unmatched), 2);
     assert!(stderr(&unmatched).contains("nothing was compared with the baseline"), "{}", stderr(&unmatched));
@@ -138,23 +136,56 @@ fn one_thread_and_two_give_the_same_numbers_to_the_last_bit() {
 }
 
 #[test]
-fn a_gate_writes_junit_and_annotations() {
+fn a_gate_writes_for_build_servers() {
     let folder = scratch();
-    let path = folder.path().join("junit.xml");
-    let output = polhode(&[
-        "gate",
-        "--quiet",
-        "--github",
-        "--scheme",
-        "euler",
-        "--scene",
-        "thin-body",
-        "--junit",
-        &path.to_string_lossy(),
-    ]);
-    assert_eq!(code(&output), 0);
-    assert!(fs::read_to_string(&path).expect("written").contains("<testsuite"));
-    assert!(String::from_utf8_lossy(&output.stdout).contains("::notice"));
+    let path = |name: &str| folder.path().join(name).to_string_lossy().into_owned();
+    let summary = path("summary.md");
+    fs::write(&summary, "of an earlier command\n").expect("written");
+    let files = ["junit", "markdown", "sarif", "benchmark", "bencher"];
+    let gate = || {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_polhode"));
+        command.args(["gate", "--quiet", "--github", "--scheme", "euler", "thin-body"]);
+        for name in files {
+            command.args([format!("--{name}"), path(name)]);
+        }
+        command.env("GITHUB_STEP_SUMMARY", &summary).output().expect("the program runs")
+    };
+    let output = gate();
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    let text = stdout(&output);
+    let annotations: Vec<&str> = text.lines().filter(|line| line.starts_with("::")).collect();
+    assert_eq!(annotations.len(), 1, "{text}");
+    assert!(annotations[0].starts_with("::notice file=references/scenes/thin-body.toml,line=1,"), "{text}");
+    let read = |name: &str| fs::read_to_string(path(name)).expect("written");
+    let parsed = |name: &str| -> Value { serde_json::from_str(&read(name)).expect("JSON") };
+    assert!(read("junit").contains("<testsuite"));
+    let added = fs::read_to_string(&summary).expect("a summary");
+    assert!(added.starts_with("of an earlier command\n") && added.ends_with(&read("markdown")));
+    let sarif = parsed("sarif");
+    let run = &sarif["runs"][0];
+    let rules: Vec<&Value> = run["tool"]["driver"]["rules"].as_array().expect("rules").iter().collect();
+    for result in run["results"].as_array().expect("results") {
+        assert!(rules.iter().any(|rule| rule["id"] == result["ruleId"]));
+    }
+    let rows = parsed("benchmark").as_array().expect("rows").clone();
+    assert!(
+        rows.iter().all(|row| row["name"].is_string() && row["unit"].is_string() && row["value"].is_f64())
+    );
+    let bencher = parsed("bencher");
+    let measures: usize = bencher
+        .as_object()
+        .expect("benchmarks")
+        .values()
+        .map(|one| one.as_object().map_or(0, |m| m.len()))
+        .sum();
+    assert_eq!(measures, rows.len());
+    // Its own files it replaces, another's it keeps.
+    assert_eq!(code(&gate()), 0);
+    for name in files {
+        fs::write(path(name), "my notes").expect("written");
+        assert_eq!(code(&gate()), 74, "{name}");
+        fs::remove_file(path(name)).expect("removed");
+    }
 }
 
 #[test]
@@ -168,6 +199,56 @@ fn a_report_has_all_its_files() {
     }
     let header = fs::read_to_string(out.join("records.csv")).expect("written");
     assert!(header.starts_with("scene,scheme,model,step_s,steps,metric,value,unit,uncertainty,status,why"));
+}
+
+#[test]
+fn a_records_file_is_drawn_again_without_a_run_and_gives_the_tables_of_a_paper() {
+    let folder = scratch();
+    let at = |name: &str| folder.path().join(name).to_string_lossy().into_owned();
+    let (first, again) = (at("first"), at("again"));
+    let made = ["report", "--quiet", "free-oblate", "--scheme", "euler", "--out", &first];
+    assert_eq!(code(&polhode(&made)), 0);
+    let records = at("first/records.json");
+    let output = polhode(&["report", "--quiet", "--from", &records, "--out", &again]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    for name in ["records.json", "orders.csv", "constants.csv", "drifts.csv", "plots/drift-rates.png"] {
+        let read = |folder: &str| fs::read(Path::new(folder).join(name)).expect("written");
+        assert!(read(&first) == read(&again), "{name}");
+    }
+    let tables = stdout(&polhode(&["report", "--quiet", "--from", &records, "--format", "latex"]));
+    assert!(tables.contains("\\begin{tabular}") && tables.contains("euler"));
+    assert_eq!(code(&polhode(&["report", "--from", &records, "--format", "word"])), 64);
+    let cut = at("cut.json");
+    let text = fs::read_to_string(&records).expect("written");
+    fs::write(&cut, &text[..text.len() / 2]).expect("written");
+    assert_eq!(code(&polhode(&["report", "--quiet", "--from", &cut, "--out", &at("none")])), 65);
+    assert!(!folder.path().join("none/index.html").exists());
+}
+
+#[test]
+fn a_capsule_is_replayed_to_the_bit_and_a_row_that_differs_is_1() {
+    let folder = scratch();
+    let at = |name: &str| folder.path().join(name).to_string_lossy().into_owned();
+    let (out, capsule) = (at("out"), at("capsule.json"));
+    let made =
+        ["report", "--quiet", "free-oblate", "--scheme", "euler", "--out", &out, "--capsule", &capsule];
+    assert_eq!(code(&polhode(&made)), 0);
+    let replayed = polhode(&["replay", "--quiet", &capsule]);
+    assert_eq!(code(&replayed), 0, "{}", stdout(&replayed));
+    // The same numbers from another scheme, with hashes that belong to them: rows differ.
+    let text = fs::read_to_string(&capsule).expect("written");
+    let other = at("other.json");
+    fs::write(&other, text.replace("\"schemes\":[\"euler\"]", "\"schemes\":[\"peskin-rk2\"]"))
+        .expect("written");
+    let replayed = polhode(&["replay", "--quiet", &other]);
+    assert_eq!(code(&replayed), 1, "{}", stderr(&replayed));
+    // A number that was edited does not have its hash.
+    fs::write(
+        &other,
+        text.replace("free-oblate\",\"scheme\":\"euler\"", "free-oblate\",\"scheme\":\"eulers\""),
+    )
+    .expect("written");
+    assert_eq!(code(&polhode(&["replay", "--quiet", &other])), 65);
 }
 
 #[cfg(unix)]
@@ -190,6 +271,7 @@ fn an_interrupted_report_leaves_what_was_measured_readable() {
     let text = fs::read_to_string(out.join("records.json")).expect("written all the same");
     let records: Value = serde_json::from_str(&text).expect("JSON");
     assert_eq!(records["complete"], false);
+    assert!(out.join("records.csv").exists() && !out.join("plots").exists(), "nothing is drawn");
 }
 
 #[test]

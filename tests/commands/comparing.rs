@@ -8,7 +8,7 @@ use crate::common::{contestant, scene};
 
 /// Exit code and rows of a comparison of two schemes in a scene.
 fn compare(a: &str, b: &str, scene: &str) -> (i32, Vec<String>) {
-    let output = polhode(&["compare", a, b, "--quiet", "--all", "--scene", scene]);
+    let output = polhode(&["compare", a, b, "--quiet", "--all", "--format", "csv", "--scene", scene]);
     (code(&output), stdout(&output).lines().map(str::to_owned).collect())
 }
 
@@ -61,6 +61,25 @@ fn a_comparison_ends_with_a_sentence_and_hides_what_is_the_same() {
     let same = |text: &str| text.lines().filter(|line| line.trim_end().ends_with("  same")).count();
     assert!(same(&text) == 0 && same(&all) > 0, "{text}{all}");
     assert!(text.contains(&format!("{} rows that are the same are not shown", same(&all))), "{text}");
+}
+
+#[test]
+fn a_comparison_has_five_forms_and_a_page_is_100_columns() {
+    let form = |format: &str| {
+        let output =
+            polhode(&["compare", "peskin-rk2", "euler", "free-asymmetric", "--quiet", "--format", format]);
+        assert_eq!(code(&output), 1);
+        stdout(&output)
+    };
+    let rows: Vec<Value> = serde_json::from_str(&form("json")).expect("JSON");
+    assert!(rows.iter().any(|row| row["quantity"] == "orientation" && row["standing"] == "worse"));
+    assert_eq!(form("csv").lines().count(), rows.len() + 1);
+    assert_eq!(form("markdown").lines().count(), rows.len() + 2);
+    let latex = form("latex");
+    assert_eq!(latex.lines().filter(|line| line.ends_with("\\\\")).count(), rows.len() + 1);
+    let text = form("text");
+    let table = text.lines().take_while(|line| !line.starts_with("A = "));
+    assert!(table.into_iter().all(|line| line.chars().count() <= 100), "{text}");
 }
 
 #[test]

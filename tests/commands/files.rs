@@ -98,6 +98,49 @@ fn a_report_removes_and_overwrites_only_what_an_earlier_one_made() {
 }
 
 #[test]
+fn a_report_is_drawn_again_from_its_records_and_never_from_those_that_are_cut() {
+    let folder = scratch();
+    let at = |name: &str| folder.path().join(name);
+    let text = |name: &str| at(name).to_string_lossy().into_owned();
+    let report = |arguments: &[&str]| polhode(&[&["report", "--quiet"], arguments].concat());
+    let first = report(&["free-rod", "--scheme", "euler", "--out", &text("first")]);
+    assert_eq!(code(&first), 0, "{}", stderr(&first));
+    let records = text("first/records.json");
+    let again = report(&["--from", &records, "--out", &text("again")]);
+    assert_eq!(code(&again), 0, "{}", stderr(&again));
+    for name in ["index.html", "pages/scene-free-rod.html", "records.json"] {
+        let [one, other] = ["first", "again"].map(|out| fs::read(at(out).join(name)).expect("written"));
+        assert!(one == other, "{name}");
+    }
+    let single = report(&["--from", &records, "--single-file", "--out", &text("single")]);
+    assert_eq!(code(&single), 0, "{}", stderr(&single));
+    assert!(at("single/index.html").exists() && !at("single/pages").exists());
+    let whole = fs::read_to_string(&records).expect("written");
+    let other = whole.replace("polhode/records/1", "polhode/records/0");
+    for (name, text_of_it) in
+        [("cut.json", &whole[..whole.len() / 2]), ("other.json", &other), ("empty.json", "")]
+    {
+        fs::write(at(name), text_of_it).expect("written");
+        let refused = report(&["--from", &text(name), "--out", &text("refused")]);
+        assert_eq!(code(&refused), 65, "{name}: {}", stderr(&refused));
+        assert!(stderr(&refused).contains(name) && !at("refused").join("index.html").exists());
+    }
+}
+
+#[test]
+fn a_run_is_drawn_beside_its_states() {
+    let folder = scratch();
+    let picture = folder.path().join("run.png");
+    let arguments =
+        ["run", "dzhanibekov", "--quiet", "--format", "csv", "--plot", &picture.to_string_lossy()];
+    let output = polhode(&arguments);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    assert!(stdout(&output).lines().count() > 100);
+    assert!(fs::read(&picture).expect("written").starts_with(b"\x89PNG"));
+    assert_eq!(code(&polhode(&arguments)), 74);
+}
+
+#[test]
 fn a_report_of_one_scene_has_a_folder_of_its_own() {
     let folder = scratch();
     let latest = folder.path().join("reports/latest");

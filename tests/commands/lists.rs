@@ -5,6 +5,29 @@ use polhode::simulate::Contestant;
 use crate::common::program::{code, polhode, scratch, stderr, stdout};
 
 #[test]
+fn a_list_for_programs_has_the_rows_of_the_list_for_people() {
+    for what in ["schemes", "scenes", "metrics", "claims"] {
+        let rows: Vec<serde_json::Value> =
+            serde_json::from_str(&stdout(&polhode(&["list", what, "--format", "json"]))).expect("JSON");
+        let lines = stdout(&polhode(&["list", what])).lines().take_while(|line| !line.is_empty()).count();
+        assert_eq!(rows.len(), lines - 1, "{what}");
+        assert!(rows.iter().all(|row| row.as_object().is_some_and(|row| row.len() >= 3)), "{what}");
+    }
+    assert_eq!(code(&polhode(&["list", "schemes", "euler", "--format", "json"])), 64);
+}
+
+#[test]
+fn every_rule_is_explained_by_its_name() {
+    for claim in polhode::record::ClaimName::ALL {
+        let output = polhode(&["list", "claims", claim.word()]);
+        assert_eq!(code(&output), 0);
+        let text = stdout(&output);
+        let line = text.lines().next().expect("a line");
+        assert!(line.starts_with(&format!("{claim}: ")) && line.ends_with('.'), "{text}");
+    }
+}
+
+#[test]
 fn schemes_scenes_metrics_and_claims_are_a_line_each_of_100_columns() {
     for (what, least) in
         [("schemes", Contestant::everyone().len()), ("scenes", 43), ("metrics", 6), ("claims", 200)]

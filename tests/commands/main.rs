@@ -3,14 +3,26 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+/// The logs that the slow tests judge a thousand of.
+#[path = "../common/changed_logs.rs"]
+mod changed_logs;
+
 mod advice;
 mod advise_and_sweep;
+mod baselines;
 mod campaigns;
 mod comparing;
+mod expecting;
+mod explained_logs;
 mod files;
+mod help;
 mod inspect;
 mod judge;
+mod killed;
 mod lists;
+mod log_formats;
 mod reference;
 mod runs;
+mod scene;
+mod settings;
 mod stability;

@@ -24,7 +24,54 @@ fn twenty_five_digits_are_printed_with_their_bounds() {
     // L at T/4 and R₁₁, from the stored 40 digits.
     assert!(text.contains("0.271890492486011331504215"), "{text}");
     assert!(text.contains("-0.2796948377111119734740017"), "{text}");
-    assert_eq!(text.matches("within").count(), 20);
+    assert_eq!(text.matches("within").count(), 24);
+}
+
+#[test]
+fn bounds_cover_the_digits_that_are_printed_and_a_quaternion_is_that_of_the_matrix() {
+    let at = |digits: &str| {
+        let times = ["kovalevskaya", "--times", "3,1.5", "--format", "json", "--digits", digits];
+        let (code, text, _) = reference(&times);
+        assert_eq!(code, 0);
+        serde_json::from_str::<serde_json::Value>(&text).expect("JSON")
+    };
+    let (few, many) = (at("4"), at("25"));
+    let numbers = |value: &serde_json::Value| -> Vec<f64> {
+        let list = value.as_array().expect("numbers");
+        list.iter()
+            .flat_map(|one| one.as_array().cloned().unwrap_or(vec![one.clone()]))
+            .filter_map(|x| x.as_f64())
+            .collect()
+    };
+    let moments = |solution: &serde_json::Value| solution["moments"].as_array().expect("moments").clone();
+    assert_eq!(
+        moments(&few).iter().map(|one| one["time_s"].as_f64()).collect::<Vec<_>>(),
+        [Some(1.5), Some(3.0)]
+    );
+    for (few, many) in moments(&few).iter().zip(&moments(&many)) {
+        for key in ["position_m", "velocity_m_s", "rotation", "orientation_wxyz", "angular_velocity_rad_s"] {
+            let within = few[format!("{key}_within")].as_f64().expect("a bound");
+            let (a, b) = (numbers(&few[key]), numbers(&many[key]));
+            assert!(a.len() == b.len() && a.iter().zip(&b).all(|(a, b)| (a - b).abs() <= within), "{key}");
+            assert!(within < 1e-3, "{key} {within}");
+        }
+        let (q, r) = (numbers(&many["orientation_wxyz"]), numbers(&many["rotation"]));
+        let [w, x, y, z] = q[..] else { panic!("four") };
+        let first = [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)];
+        // Roundings of f64.
+        assert!(first.iter().zip(&r).all(|(a, b)| (a - b).abs() < 1e-15), "{first:?} {r:?}");
+    }
+}
+
+#[test]
+fn a_solution_is_printed_at_equal_times_as_rows() {
+    let (code, text, _) = reference(&["kovalevskaya", "--every", "0.5", "--format", "csv", "--digits", "10"]);
+    assert_eq!(code, 0);
+    // Twelve times of 3 + 3 + 9 + 4 + 3 + 3 numbers.
+    assert_eq!(text.lines().count(), 1 + 12 * 25);
+    for wrong in [["--every", "0"], ["--every", "1e-9"], ["--times", "0"], ["--times", "-1"]] {
+        assert_eq!(reference(&[&["kovalevskaya"][..], &wrong].concat()).0, 64, "{wrong:?}");
+    }
 }
 
 #[test]
@@ -60,7 +107,7 @@ fn what_is_mistyped_is_told_with_what_to_write_instead() {
         assert!(code == 64 && talk.contains("from 1 to 30"), "{code} {talk}");
     }
     let (code, text, _) = reference(&["--help"]);
-    assert!(code == 0 && text.contains("Examples:"), "{text}");
+    assert!(code == 0 && text.contains("--digits"), "{text}");
     let (code, _, _) = reference(&["free-rod", "--out", "/dev/null/no/file.json"]);
     assert_eq!(code, 74);
 }

@@ -189,12 +189,11 @@ fn wrong_usage_is_64_and_tells_what_there_is() {
 #[test]
 fn help_is_no_failure_and_shows_examples() {
     for arguments in [
-        vec!["--help"],
-        vec!["gate", "--help"],
-        vec!["run", "--help"],
-        vec!["advise", "--help"],
-        vec!["sweep", "--help"],
-        vec!["report", "--help"],
+        vec!["help", "gate"],
+        vec!["help", "run"],
+        vec!["help", "advise"],
+        vec!["help", "sweep"],
+        vec!["help", "report"],
     ] {
         let output = polhode(&arguments);
         assert_eq!(code(&output), 0);

@@ -3,7 +3,7 @@
 use polhode::internals::study::stability::MAP_NAMES;
 use polhode::record::stability::Stability;
 
-use crate::common::program::{code, polhode, scratch, stderr, stdout};
+use crate::common::program::{code, json, polhode, scratch, stderr, stdout};
 
 #[test]
 fn the_command_writes_records_a_page_and_pictures() {
@@ -23,6 +23,12 @@ fn the_command_writes_records_a_page_and_pictures() {
         let picture = folder.path().join("maps").join(format!("{}-peskin-rk2.png", map.name));
         assert!(picture.is_file(), "{}", picture.display());
     }
+    let only = ["free-oblate", "--scheme", "euler", "--cells", "0", "--long", "0", "--format", "json"];
+    let folder_of_one = scratch();
+    let out = folder_of_one.path().to_string_lossy();
+    let printed = json(&polhode(&[&["stability", "--quiet", "--out", &out][..], &only].concat()));
+    let written = Stability::read(&folder_of_one.path().join("stability.json")).expect("a study");
+    assert_eq!(printed["limits"].as_array().map(Vec::len), Some(written.limits.len()));
     for file in ["stability.md", "limits.png", "long-runs.png", "energy-law.png"] {
         assert!(folder.path().join(file).is_file(), "{file}");
     }

@@ -1,11 +1,18 @@
 //! The program as a user runs it, and what it leaves.
 
+use std::path::Path;
 use std::process::{Command, Output};
 
 use serde_json::Value;
 
 pub fn polhode(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_polhode")).args(arguments).output().expect("the program runs")
+}
+
+/// The same in a folder.
+pub fn polhode_in(folder: &Path, arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_polhode"));
+    command.current_dir(folder).args(arguments).output().expect("the program runs")
 }
 
 pub fn code(output: &Output) -> i32 {

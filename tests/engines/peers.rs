@@ -84,9 +84,9 @@ fn a_report_with_engines_has_a_section_on_them_with_versions_and_twins() {
     assert_eq!(coarse.len(), 1, "{coarse:?}");
     assert_eq!((&coarse[0]["one"], &coarse[0]["other"]), (&one.as_str().into(), &other.as_str().into()));
     assert_eq!(coarse[0]["to_rounding"], true);
-    let (markdown, html) = ("report.md", "index.html");
+    let (markdown, html) = ("report.md", "pages/engines.html");
     for (file, words) in
-        [(markdown, "## Engines"), (html, "id=\"engines\""), (markdown, "they agree to rounding")]
+        [(markdown, "## Engines"), (html, "they agree to rounding"), (markdown, "they agree to rounding")]
     {
         assert!(fs::read_to_string(out.join(file)).expect("written").contains(words), "{file}: {words}");
     }
@@ -109,6 +109,7 @@ fn a_report_without_engines_says_nothing_of_them() {
     ]);
     assert_eq!(code(&output), 0, "{}", stderr(&output));
     assert!(!fs::read_to_string(out.join("report.md")).expect("written").contains("## Engines"));
+    assert!(!out.join("pages/engines.html").exists());
     assert!(records(&out.join("records.json"))["engines"].is_null());
 }
 

@@ -2,7 +2,7 @@
 
 use polhode::gates::Baseline;
 use polhode::internals::measure::{Asked, Decision, Doubt, decide};
-use polhode::record::ClaimName::{Constant, Converges, Order, Run, Start};
+use polhode::record::ClaimName::{self, Constant, Converges, ErrorOnRecord, Order, Run, Start};
 use polhode::record::Ruling::{self, Broken, Fail, Inconclusive, NotApplicable, Pass};
 use polhode::record::{Ladder, Verdict};
 use polhode::scenes;
@@ -246,11 +246,16 @@ fn an_odd_number_of_steps_is_what_the_other_runs_make_of_it() {
 
 /// The verdicts on the constant of a position, beside one on record.
 fn constant(made: &Made, change: impl FnOnce(&mut Recorded)) -> Vec<Ruling> {
+    on_record(made, Constant, change)
+}
+
+/// The verdicts of a claim on a position, beside a row on record.
+fn on_record(made: &Made, claim: ClaimName, change: impl FnOnce(&mut Recorded)) -> Vec<Ruling> {
     let mut row = Recorded::of(made, POSITION);
     change(&mut row);
     let judged = made.clone().recorded(row).judge();
     // A body point follows the position.
-    let own = judged.into_iter().filter(|v| v.claim == Constant && v.quantity == "position");
+    let own = judged.into_iter().filter(|v| v.claim == claim && v.quantity == "position");
     own.map(|v| v.verdict).collect()
 }
 
@@ -267,11 +272,11 @@ fn a_constant_is_that_on_record_to_one_percent() {
     let expected = [1.0, 4.0 * 0.99, 4.0 * 1.01];
     let shown = numbers(&verdict).map(|number| number.expect("a number"));
     assert!(shown.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-12), "{shown:?}");
-    // A constant excuses no order.
+    // Where the order fails no constant is judged.
     let mut row = Recorded::of(&second, POSITION);
     row.constant = Some(1.0);
     let first = position(&power(1.0), ROUNDING).recorded(row);
-    assert_eq!([first.ruling(Constant, "position"), first.ruling(Order, "position")], [Pass, Fail]);
+    assert_eq!([first.ruling(Constant, "position"), first.ruling(Order, "position")], [NotApplicable, Fail]);
     // A vanished error shows another scheme; an undecided one gives no verdict.
     let gone = |made: &Made| constant(made, |row| row.constant = Some(1.0));
     assert_eq!(gone(&position(&[0.0; RUNS], ROUNDING)), [Fail]);
@@ -301,25 +306,26 @@ fn a_record_is_of_one_content_one_scheme_and_one_quantity() {
 #[test]
 fn the_error_of_every_run_is_that_on_record_to_a_half_of_it() {
     let second = position(&power(2.0), ROUNDING);
-    let at = |made: &Made, h: f64, known: f64| constant(made, |row| row.errors = vec![(h, known)]);
+    let at =
+        |made: &Made, h: f64, known: f64| on_record(made, ErrorOnRecord, |row| row.errors = vec![(h, known)]);
     // 1/16 at h = 1/4: known to a half of itself and the floor.
     let error = 1.0 / 16.0;
     for (known, expected) in [
-        (error, vec![]),
-        (error / 1.499, vec![]),
+        (error, vec![Pass]),
+        (error / 1.499, vec![Pass]),
         (error / 1.501, vec![Fail]),
-        (error / 0.501, vec![]),
+        (error / 0.501, vec![Pass]),
         (error / 0.499, vec![Fail]),
     ] {
         assert_eq!(at(&second, 0.25, known), expected, "{known}");
     }
     // The record has no step in between.
-    assert!(at(&second, 0.3, 7.0).is_empty());
+    assert_eq!(at(&second, 0.3, 7.0), [NotApplicable]);
     // What is at its rounding is so whatever the record, and a run that broke is none.
     let exact = position(&[FLOOR; RUNS], ROUNDING);
-    assert_eq!([at(&exact, 0.25, 0.0), at(&exact, 0.25, 1.0)], [vec![], vec![Fail]]);
+    assert_eq!([at(&exact, 0.25, 0.0), at(&exact, 0.25, 1.0)], [vec![Pass], vec![Fail]]);
     assert_eq!(at(&second.clone().broken(0), 1.0, 1.0), [Fail]);
-    assert_eq!(at(&second.broken(0), 0.5, 0.25), []);
+    assert_eq!(at(&second.broken(0), 0.5, 0.25), [Pass]);
 }
 
 #[test]

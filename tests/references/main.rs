@@ -7,6 +7,7 @@ mod agreement;
 mod building;
 mod closed_forms;
 mod contacts;
+mod more_laws;
 mod motions;
 mod precise;
 mod rounding;

@@ -4,6 +4,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod pages;
 mod published;
 mod published_numbers;
 mod synthetic;

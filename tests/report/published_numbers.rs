@@ -79,7 +79,7 @@ fn a_report_of_records_with_published_figures_has_them_all() {
     report::write(&records, folder.path(), &|_, _| ()).expect("a report");
     let read = Records::read(&folder.path().join("records.json")).expect("records");
     assert_eq!(read.published.len(), ROWS.len());
-    for page in ["report.md", "index.html"] {
+    for page in ["report.md", "pages/published.html"] {
         let text = fs::read_to_string(folder.path().join(page)).expect("a page");
         assert!(ROWS.iter().all(|row| text.contains(&row.published.join(", "))), "{page}");
     }

@@ -38,6 +38,7 @@ fn scheme_rows() -> Vec<SchemeRow> {
         claims: vec![format!("order {order} in every quantity"), "L constant without torque".into()],
         source: "peskin2021, steps (1)–(8)".into(),
         apart: false,
+        look: None,
         fails_where: Some("spring-held body: from h·ω = 1.256 on (energy grows)".into()),
     };
     vec![
@@ -50,6 +51,7 @@ fn scheme_rows() -> Vec<SchemeRow> {
 fn scene_row(index: usize) -> SceneRow {
     let free = index.is_multiple_of(3);
     SceneRow {
+        file: String::new(),
         name: format!("scene-{index:02}"),
         content: format!("{index:02}"),
         title: format!("Scene {index}: a body <turned> by \"springs\" & gravity"),

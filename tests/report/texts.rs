@@ -23,13 +23,48 @@ fn junit_tells_the_six_outcomes_apart() {
 
 #[test]
 fn annotations_cannot_be_broken_by_their_text() {
-    let text = report::annotations(&few(&[8, 9]));
-    assert_eq!(text.lines().filter(|line| line.starts_with("::error ")).count(), 3);
-    assert_eq!(text.lines().filter(|line| line.starts_with("::warning ")).count(), 2);
-    assert_eq!(text.lines().filter(|line| line.starts_with("::notice ")).count(), 3);
-    assert!(text.contains("100 %25 wrong,%0Asee"));
-    assert!(text.contains("title=fail%3A peskin-rk2 on scene-09%3A order::"));
-    assert_eq!(text.lines().count(), 8);
+    let mut records = few(&[8, 9]);
+    records.scenes[1].file = "scenes/a,b:c.toml".into();
+    let text = report::annotations(&records);
+    let of = |level: &str| text.lines().filter(|line| line.starts_with(&format!("::{level} "))).count();
+    // One for each scheme in each scene.
+    let mut places: Vec<(&str, &str)> = records
+        .verdicts
+        .iter()
+        .filter(|v| !matches!(v.verdict, Ruling::Pass | Ruling::NotApplicable))
+        .map(|v| (v.scene.as_str(), v.scheme.as_str()))
+        .collect();
+    places.sort_unstable();
+    places.dedup();
+    assert_eq!(text.lines().count(), places.len(), "{text}");
+    assert_eq!(of("error") + of("warning") + of("notice"), places.len());
+    assert!(of("error") > 0);
+    assert!(text.contains(" file=scenes/a%2Cb%3Ac.toml,line=1,title=fail%3A "), "{text}");
+}
+
+#[test]
+fn a_junit_failure_has_a_body() {
+    let xml = report::junit(&few(&[3, 8, 9]));
+    let body = xml.split("<failure ").nth(1).expect("a failure").split("</failure>").next().expect("an end");
+    assert!(body.contains("rule: order") && body.contains("quantity: "), "{body}");
+}
+
+#[test]
+fn a_summary_has_what_got_worse_first() {
+    let mut records = few(&[3, 8, 9]);
+    let markdown = report::step_summary(&records);
+    assert!(!markdown.contains("### Worse than on record") && markdown.contains("### Fails"));
+    let fail = records.verdicts.iter().position(|v| v.verdict == Ruling::Fail).expect("a failure");
+    records.verdicts[fail].claim = ClaimName::OrderOnRecord;
+    let markdown = report::step_summary(&records);
+    let titles: Vec<&str> = markdown.lines().filter(|line| line.starts_with("### ")).collect();
+    assert_eq!(titles[0], "### Worse than on record", "{markdown}");
+    let columns = |line: &str| line.replace("\\|", "").matches('|').count();
+    let rows = markdown.lines().filter(|line| line.starts_with('|'));
+    assert!(
+        rows.clone().count() > 3 && rows.into_iter().all(|row| [3, 4].contains(&columns(row))),
+        "{markdown}"
+    );
 }
 
 #[test]

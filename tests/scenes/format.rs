@@ -1,6 +1,6 @@
 //! What a scene file means.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 use polhode::model::body::Shape;
 use polhode::model::difference;
 use polhode::model::forces::{Attachment, Law, PerPoint, TorqueAxes};
@@ -30,6 +30,11 @@ fn a_user_scene_with_every_law_is_read_with_its_defaults() {
         _,
         Law::GravityGradient(gradient),
         Law::Ground(ground),
+        Law::RotationalDamping(damping),
+        Law::Wheels(_),
+        Law::OrbitingDipole(dipole),
+        Law::MassCenterGravity(center_gravity),
+        Law::TorquePulse(pulse),
     ] = laws
     else {
         panic!("{names:?}")
@@ -48,6 +53,10 @@ fn a_user_scene_with_every_law_is_read_with_its_defaults() {
     assert_eq!((torque.axes, torque.constant), (TorqueAxes::Body, Vector3::zeros()));
     assert_eq!((gradient.normal, gradient.rate), (Vector3::z(), 0.0));
     assert!((gradient.direction - Vector3::new(0.6, 0.0, 0.8)).amax() < 1e-15);
+    assert_eq!(damping.coefficients, Matrix3::from_diagonal(&Vector3::new(0.1, 0.2, 0.3)));
+    assert_eq!((dipole.field, dipole.field_sine), (Vector3::zeros(), Vector3::zeros()));
+    assert_eq!(center_gravity.center, Vector3::zeros());
+    assert_eq!((pulse.start, pulse.end), (0.0, 2.0));
     assert_eq!((ground.normal, ground.height, ground.slip_velocity), (Vector3::z(), 0.0, 1e-3));
 }
 
@@ -129,15 +138,15 @@ fn names_and_paths_are_told_apart() {
     let scene = Scene::find(&path.to_string_lossy()).expect("a scene");
     assert!(!scene.built_in && scene.name == "user-scene");
     std::fs::write(&path, b"name = \"a\"\ntitle = \"\xff\"\n").expect("written");
-    let Err(SceneError::Content { line: 2, message, .. }) = Scene::find(&path.to_string_lossy()) else {
+    let Err(SceneError::Content { faults, .. }) = Scene::find(&path.to_string_lossy()) else {
         panic!("read")
     };
-    assert!(message.contains("UTF-8"));
+    assert!(faults.len() == 1 && faults[0].line == 2 && faults[0].message.contains("UTF-8"), "{faults:?}");
 }
 
 #[test]
 fn lines_are_counted_the_same_under_windows_line_ends() {
     let text = format!("{HEAD}{POINTS}[initial]\nvelocity = 1\n").replace('\n', "\r\n");
-    let Err(SceneError::Content { line, .. }) = Scene::parse(&text, "user.toml") else { panic!("read") };
-    assert_eq!(line, 10);
+    let Err(SceneError::Content { faults, .. }) = Scene::parse(&text, "user.toml") else { panic!("read") };
+    assert_eq!(faults.iter().map(|fault| fault.line).collect::<Vec<_>>(), [10]);
 }

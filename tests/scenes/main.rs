@@ -7,6 +7,7 @@ mod built_in;
 mod format;
 mod fuzz;
 mod given;
+mod malformed;
 mod refused_bodies;
 mod refused_forces;
 mod tables;

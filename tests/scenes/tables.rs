@@ -53,6 +53,11 @@ fn every_parameter_is_read_and_stands_for_itself() {
                     let v = nalgebra::Vector3::new(0.0, -1.0, 0.0);
                     (format!("{} = [0, -1, 0]", parameter.key), Argument::Vector(v))
                 }
+                Kind::Matrix => {
+                    let m = nalgebra::Matrix3::new(3.0, 1.0, 0.5, 1.0, 4.0, 0.25, 0.5, 0.25, 5.0);
+                    let rows = "[[3, 1, 0.5], [1, 4, 0.25], [0.5, 0.25, 5]]";
+                    (format!("{} = {rows}", parameter.key), Argument::Matrix(m))
+                }
                 Kind::Attachment => ("point = 2".to_owned(), Argument::Attachment(Attachment::Point(2))),
                 Kind::PerPoint => {
                     let values = polhode::model::forces::PerPoint::Each(vec![1.0, 2.0, 3.0]);

@@ -116,9 +116,10 @@ fn a_torque_about_a_rod_is_refused_with_its_law() {
         "law = \"dipole\"\nmoment = [0, 1, 0]\nfield = [0, 0, 1]",
     ] {
         let error = Scene::parse(&format!("{body}[[forces]]\n{law}\n"), "user.toml").expect_err("refused");
-        let SceneError::Content { line, key, message, .. } = error else { panic!("another error") };
-        assert_eq!((line, key.as_str()), (6, "forces[0].law"), "{message}");
-        assert!(message.contains("rod"), "{message}");
+        let SceneError::Content { faults, .. } = error else { panic!("another error") };
+        let [fault] = &faults[..] else { panic!("{faults:?}") };
+        assert_eq!((fault.line, fault.key.as_str()), (6, "forces[0].law"), "{fault}");
+        assert!(fault.message.contains("rod"), "{fault}");
     }
     for law in [
         "law = \"torque\"\naxes = \"body\"\nconstant = [0, 0, 1]",

@@ -14,6 +14,7 @@ mod geometric;
 mod golden_steps;
 mod measured_elsewhere;
 mod one_step;
+mod orders_of_laws;
 mod orders_under_torque;
 mod solves;
 mod variants;

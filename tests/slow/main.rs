@@ -8,12 +8,16 @@ mod common;
 #[allow(dead_code, reason = "the other tests use the rest")]
 #[path = "../references/closed_forms/known.rs"]
 mod known;
+/// The logs that the other tests judge a few of.
+#[path = "../common/changed_logs.rs"]
+mod changed_logs;
 /// The records that the other tests of reports take a part of.
 #[allow(dead_code, reason = "the other tests use the rest")]
 #[path = "../report/synthetic.rs"]
 mod synthetic;
 
 mod equal_work;
+mod explained_logs;
 mod million_radians;
 mod planted_defects;
 mod random_scenes;

@@ -1,7 +1,7 @@
 //! Correct schemes in scenes that nobody has chosen: none fails, nearly all is decided, and the scenes are what they should be.
 
 use polhode::campaign::Campaign;
-use polhode::internals::scenes::random;
+use polhode::internals::scenes::random::{self, Family};
 use polhode::internals::self_test::{power, random as correct_schemes};
 use polhode::model::body::Shape;
 use polhode::record::Ruling::{Broken, Fail};
@@ -9,7 +9,7 @@ use polhode::simulate::Contestant;
 
 #[test]
 fn no_correct_scheme_fails_in_a_hundred_random_scenes() {
-    let findings = correct_schemes::run(20, 100, &|_, _| ());
+    let findings = correct_schemes::run(&[Family::Ordinary], 20, 100, &|_, _| ());
     let against: Vec<String> = findings
         .against
         .iter()
@@ -70,7 +70,7 @@ const ONCE_HELD: [(u64, u64, &str); 21] = [
 fn what_was_once_held_against_a_correct_scheme_is_no_longer() {
     let all = Contestant::all();
     for (seed, number, scheme) in ONCE_HELD {
-        let scene = random::scene(seed, number).expect("a scene");
+        let scene = random::scene(Family::Ordinary, seed, number).expect("a scene");
         let own = all.iter().find(|contestant| contestant.card.name == scheme).expect("a scheme").clone();
         for verdict in &Campaign::of(vec![scene], vec![own]).run().verdicts {
             assert!(!matches!(verdict.verdict, Fail | Broken), "{seed}, {number}: {verdict:?}");
@@ -96,7 +96,8 @@ fn a_wrong_order_fails_in_nearly_every_random_scene_and_passes_in_none() {
 
 #[test]
 fn a_thousand_random_texts_are_scenes_of_every_kind() {
-    let scenes: Vec<_> = (0..1000).map(|number| random::scene(1, number).expect("a scene")).collect();
+    let scenes: Vec<_> =
+        (0..1000).map(|number| random::scene(Family::Ordinary, 1, number).expect("a scene")).collect();
     let some = |what: &str, is: &dyn Fn(&polhode::scenes::Scene) -> bool| {
         let count = scenes.iter().filter(|scene| is(scene)).count();
         assert!((10..=990).contains(&count), "{what}: {count} of 1000");
@@ -123,7 +124,7 @@ fn a_thousand_random_texts_are_scenes_of_every_kind() {
 
 #[test]
 fn a_random_scene_is_the_same_whenever_it_is_drawn_and_another_for_another_seed() {
-    assert_eq!(random::text(3, 17), random::text(3, 17));
-    assert_ne!(random::text(3, 17), random::text(4, 17));
-    assert_ne!(random::text(3, 17), random::text(3, 18));
+    assert_eq!(random::text(Family::Ordinary, 3, 17), random::text(Family::Ordinary, 3, 17));
+    assert_ne!(random::text(Family::Ordinary, 3, 17), random::text(Family::Ordinary, 4, 17));
+    assert_ne!(random::text(Family::Ordinary, 3, 17), random::text(Family::Ordinary, 3, 18));
 }

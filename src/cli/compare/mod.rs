@@ -1,6 +1,7 @@
 //! `polhode compare`: two schemes, or two records files, side by side, scene by scene.
 
 mod cell;
+mod format;
 mod ladder;
 mod row;
 mod side;
@@ -9,9 +10,9 @@ mod summary;
 use std::path::Path;
 
 use clap::Args;
-use comfy_table::{ColumnConstraint, ContentArrangement, Table, TableComponent, presets};
 
 use self::cell::Cell;
+use self::format::Format;
 use self::row::{Row, Standing};
 use self::side::Side;
 use super::Failure;
@@ -35,6 +36,9 @@ pub(super) struct Options {
     /// Show the rows that are the same on either side too
     #[arg(long)]
     all: bool,
+    /// Form of the answer
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
 }
 
 const EXAMPLES: &str = "\
@@ -70,20 +74,26 @@ pub(super) fn compare(options: &Options, quiet: bool) -> Result<u8, Failure> {
     let refused = count(Standing::NotApplicable);
     let shown: Vec<Row> =
         rows.iter().filter(|row| options.all || row.standing != Standing::Same).cloned().collect();
+    print(&format::rows_as(options.format, &shown, a.scheme.is_none())?)?;
     let hidden = match rows.len() - shown.len() {
         0 => String::new(),
         count => format!("{count} rows that are the same are not shown; --all shows them\n"),
     };
-    print(&format!(
-        "{}\n{hidden}\nA = {}, B = {}: {compared} quantities compared, {better} better, {worse} worse, {} undecided; \
+    let said = format!(
+        "{hidden}\nA = {}, B = {}: {compared} quantities compared, {better} better, {worse} worse, {} undecided; \
          not applicable in {refused} scene{}\n{}",
-        tables(&shown, a.scheme.is_none()),
         a.name,
         b.name,
         count(Standing::Undecided),
         if refused == 1 { "" } else { "s" },
         summary::sentences(&rows, &a.name, &b.name),
-    ))?;
+    );
+    match options.format {
+        Format::Text => print(&said)?,
+        // A table for a program holds rows alone.
+        _ if quiet => {}
+        _ => eprint!("{said}"),
+    }
     Ok(match (worse, compared) {
         (0, 0) => UNDECIDED,
         (0, _) => 0,
@@ -110,49 +120,4 @@ fn sides(options: &Options, quiet: bool) -> Result<(Side, Side), Failure> {
         }
         _ => Err(Failure::Usage("compare two schemes or two records files, not one of each".to_owned())),
     }
-}
-
-/// One table for programs that read, with a row a line; a table a scene for people, who have 100 columns.
-fn tables(rows: &[Row], names_schemes: bool) -> String {
-    if !Table::new().is_tty() {
-        let place = |row: &Row| {
-            let scheme = if names_schemes { Some(row.scheme.clone()) } else { None };
-            [row.scene.clone()].into_iter().chain(scheme).collect()
-        };
-        let header: &[&str] = if names_schemes { &["scene", "scheme"] } else { &["scene"] };
-        let mut table = table(rows, header, place);
-        table.set_content_arrangement(ContentArrangement::Disabled);
-        return table.to_string();
-    }
-    let same_place = |a: &Row, b: &Row| (&a.scene, &a.scheme) == (&b.scene, &b.scheme);
-    let blocks = rows.chunk_by(same_place).map(|rows| {
-        let scheme = if names_schemes { format!(", {}", rows[0].scheme) } else { String::new() };
-        format!("{}{scheme}\n{}", rows[0].scene, table(rows, &[], |_| Vec::new()))
-    });
-    blocks.collect::<Vec<_>>().join("\n\n")
-}
-
-fn table(rows: &[Row], header: &[&str], place: impl Fn(&Row) -> Vec<String>) -> Table {
-    let mut table = Table::new();
-    table.load_preset(presets::UTF8_HORIZONTAL_ONLY).set_content_arrangement(ContentArrangement::Dynamic);
-    for between_rows in [
-        TableComponent::HorizontalLines,
-        TableComponent::MiddleIntersections,
-        TableComponent::LeftBorderIntersections,
-        TableComponent::RightBorderIntersections,
-    ] {
-        table.remove_style(between_rows);
-    }
-    let columns = ["quantity", "order A", "order B", "constant A", "constant B", "B/A", "same work", "B is"];
-    table.set_header([header, &columns].concat());
-    for row in rows {
-        table.add_row(place(row).into_iter().chain(row.words()));
-    }
-    for column in table.column_iter_mut() {
-        column.set_padding((0, 1));
-    }
-    if let Some(quantity) = table.column_mut(header.len()) {
-        quantity.set_constraint(ColumnConstraint::ContentWidth);
-    }
-    table
 }

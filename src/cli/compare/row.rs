@@ -35,7 +35,7 @@ impl Standing {
         !matches!(self, Standing::NotApplicable | Standing::Shown | Standing::Undecided)
     }
 
-    fn word(self) -> &'static str {
+    pub(super) fn word(self) -> &'static str {
         match self {
             Standing::Better => "better",
             Standing::Same => "same",

@@ -6,9 +6,10 @@ use clap::Args;
 
 use crate::campaign::{self, Campaign};
 use crate::cli::Failure;
-use crate::cli::output::Force;
+use crate::cli::output::{Force, Format, Listing, print};
 use crate::cli::progress::with_bar;
 use crate::cli::select::Selection;
+use crate::record::{PeerRow, Records};
 use crate::report;
 
 /// Options of `polhode engine compare`.
@@ -21,6 +22,9 @@ pub(super) struct Options {
     force: Force,
     #[command(flatten)]
     selection: Selection,
+    /// Form of the table
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
 }
 
 pub(super) fn compare(options: &Options, quiet: bool) -> Result<u8, Failure> {
@@ -36,8 +40,32 @@ pub(super) fn compare(options: &Options, quiet: bool) -> Result<u8, Failure> {
         campaign::add_peers(&mut records, &scenes, &contestants, progress);
     });
     report::write_engines(&records, &options.out)?;
+    print(&table(&records).write(options.format))?;
     if !quiet {
         eprintln!("polhode: the page is {}", options.out.join("engines.md").display());
     }
     Ok(0)
+}
+
+/// The errors of everyone at equal steps; a program by the name that it gives itself.
+fn table(records: &Records) -> Listing {
+    let number = |value: Option<f64>| value.map_or("–".to_owned(), |value| format!("{value:.2e}"));
+    let name = |scheme: &str| {
+        let engine = records.engines.iter().find(|engine| engine.scheme == scheme);
+        engine.map_or_else(|| scheme.to_owned(), |engine| engine.label())
+    };
+    let row = |row: &PeerRow| {
+        [
+            row.scene.clone(),
+            name(&row.scheme),
+            format!("{:.1e}", row.step_s),
+            number(row.orientation_end_rad),
+            number(row.position_end_m),
+            number(row.rotational_energy_max),
+            row.nanoseconds_per_step.map_or("–".to_owned(), |cost| format!("{cost:.0}")),
+            row.why.clone().unwrap_or_default(),
+        ]
+    };
+    let header = ["scene", "scheme", "step s", "angle rad", "position m", "energy", "ns a step", "why"];
+    Listing::of(header, records.peers.iter().map(row))
 }

@@ -4,7 +4,7 @@ mod card;
 
 use clap::{Args, ValueEnum};
 
-use super::output::print;
+use super::output::{Format, Listing, print};
 use super::{Failure, select};
 use crate::measure;
 use crate::model::Quantity;
@@ -25,6 +25,9 @@ pub(super) struct Options {
     /// The JSON Schema of scene files, for `forces`
     #[arg(long, conflicts_with = "name")]
     schema: bool,
+    /// Form of a list
+    #[arg(long, value_enum, default_value_t, conflicts_with = "schema")]
+    format: Format,
 }
 
 const EXAMPLES: &str = "\
@@ -48,13 +51,22 @@ pub(super) fn list(options: &Options) -> Result<u8, Failure> {
         return Err(Failure::Usage("list: --schema belongs to `polhode list forces`".to_owned()));
     }
     let name = options.name.as_deref();
+    let format = options.format;
+    if let (Format::Json, true) = (format, name.is_some() && !matches!(options.what, What::Claims)) {
+        return Err(Failure::Usage(
+            "list: --format json belongs to a list, not to one NAME of it".to_owned(),
+        ));
+    }
     print(&match (options.what, name) {
-        (What::Schemes, None) => format!("{}\n{}\n", schemes(), select::SUBSTEPS),
+        (What::Schemes, None) if format == Format::Text => {
+            format!("{}\n{}\n", schemes().text(), select::SUBSTEPS)
+        }
+        (What::Schemes, None) => schemes().write(format),
         (What::Schemes, Some(name)) => card::scheme(&select::contestant(name)?.card),
-        (What::Scenes, None) => scenes(),
+        (What::Scenes, None) => scenes().write(format),
         (What::Scenes, Some(name)) => card::scene(&scenes::Scene::find(name)?),
-        (What::Metrics, name) => metrics(name)?,
-        (What::Claims, name) => claims(name)?,
+        (What::Metrics, name) => metrics(name, format)?,
+        (What::Claims, name) => claims(name, format)?,
         (What::Forces, _) => forces(options)?,
     })?;
     Ok(0)
@@ -66,6 +78,16 @@ fn forces(options: &Options) -> Result<String, Failure> {
         return Ok(format!("{:#}\n", scenes::schema()));
     }
     let Some(name) = &options.name else {
+        if options.format == Format::Json {
+            let laws = Law::ALL;
+            let parameters = laws.iter().flat_map(|law| law.parameters.iter().map(move |one| (law, one)));
+            let row = |(law, one): (&crate::model::forces::Described, &crate::model::forces::Parameter)| {
+                let default = one.default.as_ref().map_or(String::new(), ToString::to_string);
+                [law.name, one.key, one.unit, &default, one.what].map(str::to_owned)
+            };
+            let header = ["law", "parameter", "unit", "default", "what it is"];
+            return Ok(Listing::of(header, parameters.map(row)).write(Format::Json));
+        }
         return Ok(Law::ALL.map(|law| scenes::block(&law)).join("\n"));
     };
     let known = Law::ALL.map(|law| law.name);
@@ -80,7 +102,7 @@ fn unknown(kind: &str, name: &str, known: &[&str]) -> Failure {
     Failure::Usage(format!("no {kind} '{name}'{meant}; {kind}s: {}", known.join(", ")))
 }
 
-fn schemes() -> String {
+fn schemes() -> Listing {
     let count = |count: u32| if count == 0 { "–".to_owned() } else { count.to_string() };
     let row = |contestant: Contestant| {
         let card = contestant.card;
@@ -92,25 +114,26 @@ fn schemes() -> String {
             card.title.to_owned(),
         ]
     };
-    columns(["name", "order", "evals", "family", "title"], Contestant::everyone().into_iter().map(row))
+    Listing::of(["name", "order", "evals", "family", "title"], Contestant::everyone().into_iter().map(row))
 }
 
-fn scenes() -> String {
+fn scenes() -> Listing {
     let row = |scene: scenes::Scene| {
         let (duration, model) = (format!("{} s", scene.duration), scene.system.least().name().to_owned());
         [scene.name, duration, model, scene.title]
     };
-    columns(["name", "duration", "model", "title"], scenes::built_in().into_iter().map(row))
+    Listing::of(["name", "duration", "model", "title"], scenes::built_in().into_iter().map(row))
 }
 
-fn metrics(name: Option<&str>) -> Result<String, Failure> {
+fn metrics(name: Option<&str>, format: Format) -> Result<String, Failure> {
     let errors = Quantity::ALL.into_iter().map(|q| [q.name(), q.unit(), measure::describe(q)]);
     let others = measure::ALL.iter().map(|metric| [metric.name, metric.unit, metric.what]);
     let rows: Vec<[&str; 3]> = errors.chain(others).collect();
     let known: Vec<&str> = rows.iter().map(|row| row[0]).collect();
     match name {
         None => {
-            Ok(columns(["metric", "unit", "what it is"], rows.into_iter().map(|row| row.map(str::to_owned))))
+            let rows = rows.into_iter().map(|row| row.map(str::to_owned));
+            Ok(Listing::of(["metric", "unit", "what it is"], rows).write(format))
         }
         Some(name) => match rows.iter().find(|row| row[0] == name) {
             Some([name, unit, what]) => Ok(format!("{name} [{unit}]: {what}\n")),
@@ -120,7 +143,7 @@ fn metrics(name: Option<&str>) -> Result<String, Failure> {
 }
 
 /// The claims of every scheme; with a name those of this kind.
-fn claims(name: Option<&str>) -> Result<String, Failure> {
+fn claims(name: Option<&str>, format: Format) -> Result<String, Failure> {
     let known = ClaimName::ALL.map(ClaimName::word);
     if let Some(name) = name.filter(|name| !known.contains(name)) {
         return Err(unknown("claim", name, &known));
@@ -134,36 +157,18 @@ fn claims(name: Option<&str>) -> Result<String, Failure> {
             }
         }
     }
-    match name {
-        Some(name) if rows.is_empty() => {
-            Ok(format!("{name}: on no card; every scheme or reference is held to it where it applies\n"))
-        }
-        _ => Ok(columns(["scheme", "claim", "what it promises"], rows.into_iter())),
+    let listing = |rows: Vec<[String; 3]>| {
+        Listing::of(["scheme", "claim", "what it promises"], rows.into_iter()).write(format)
+    };
+    if format == Format::Json {
+        return Ok(listing(rows));
     }
-}
-
-/// Width of a list.
-const WIDTH: usize = 100;
-
-/// Columns two blanks apart, a row a line of at most 100 columns: the last column is cut where it is too long.
-fn columns<const N: usize>(header: [&str; N], rows: impl Iterator<Item = [String; N]>) -> String {
-    let rows: Vec<[String; N]> = std::iter::once(header.map(str::to_owned)).chain(rows).collect();
-    let length = |text: &String| text.chars().count();
-    let widths: [usize; N] =
-        std::array::from_fn(|column| rows.iter().map(|row| length(&row[column])).max().unwrap_or(0));
-    let left = WIDTH.saturating_sub(widths[..N - 1].iter().map(|width| width + 2).sum());
-    let mut text = String::new();
-    for row in &rows {
-        for (cell, width) in row[..N - 1].iter().zip(&widths) {
-            text += &format!("{cell:width$}  ");
-        }
-        let last = &row[N - 1];
-        if length(last) > left {
-            text.extend(last.chars().take(left - 1));
-            text += "…\n";
-        } else {
-            text += &format!("{last}\n");
-        }
+    let rule = ClaimName::ALL.into_iter().find(|claim| Some(claim.word()) == name);
+    let explained = rule.map_or(String::new(), |rule| format!("{rule}: {}\n\n", rule.explained()));
+    if rows.is_empty() {
+        return Ok(format!(
+            "{explained}On no card; every scheme or reference is held to it where it applies.\n"
+        ));
     }
-    text
+    Ok(explained + &listing(rows))
 }

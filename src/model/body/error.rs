@@ -14,6 +14,9 @@ pub enum BodyError {
         /// Its mass [kg].
         mass: f64,
     },
+    /// Massless points on a rod or on a single point, which no force may turn in every direction.
+    #[error("massless points need a body whose mass is not on one line")]
+    Massless,
     /// An inertia that is not symmetric.
     #[error("inertia is not symmetric: entry ({row}, {column}) differs from its mirror by {difference:e}")]
     Asymmetric {

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use super::{Attachment, PerPoint, TorqueAxes};
 use crate::arithmetic::Real;
@@ -14,6 +14,8 @@ pub enum Argument<T: Real = f64> {
     Number(T),
     /// Three numbers.
     Vector(Vector3<T>),
+    /// A matrix, in body axes.
+    Matrix(Matrix3<T>),
     /// One number for all mass points, or one each.
     PerPoint(PerPoint<T>),
     /// A mass point, or a place on the body.
@@ -29,6 +31,8 @@ pub enum Kind {
     Number,
     /// Three numbers.
     Vector,
+    /// Three numbers on the diagonal, or three rows of three.
+    Matrix,
     /// One number for all mass points, or a list of one each.
     PerPoint,
     /// The index of a mass point under one key, or a place on the body under another.
@@ -38,7 +42,7 @@ pub enum Kind {
 }
 
 impl<T: Real> Argument<T> {
-    /// The same argument with every number and every vector in it changed.
+    /// The same argument with every number and every vector in it changed; of a matrix, every entry.
     pub(crate) fn map<U: Real>(
         self,
         number: impl Fn(T) -> U,
@@ -47,6 +51,7 @@ impl<T: Real> Argument<T> {
         match self {
             Argument::Number(value) => Argument::Number(number(value)),
             Argument::Vector(value) => Argument::Vector(vector(value)),
+            Argument::Matrix(value) => Argument::Matrix(value.map(number)),
             Argument::PerPoint(PerPoint::Same(value)) => Argument::PerPoint(PerPoint::Same(number(value))),
             Argument::PerPoint(PerPoint::Each(values)) => {
                 Argument::PerPoint(PerPoint::Each(values.into_iter().map(number).collect()))
@@ -68,6 +73,10 @@ impl fmt::Display for Argument {
             Argument::PerPoint(PerPoint::Each(values)) => write!(f, "{values:?}"),
             Argument::Vector(v) | Argument::Attachment(Attachment::At(v)) => {
                 write!(f, "[{:?}, {:?}, {:?}]", v.x, v.y, v.z)
+            }
+            Argument::Matrix(m) => {
+                let rows = [0, 1, 2].map(|i| format!("[{:?}, {:?}, {:?}]", m[(i, 0)], m[(i, 1)], m[(i, 2)]));
+                write!(f, "[{}]", rows.join(", "))
             }
             Argument::Attachment(Attachment::Point(index)) => write!(f, "{index}"),
             Argument::Axes(axes) => write!(f, "\"{}\"", axes.word()),
@@ -112,6 +121,7 @@ macro_rules! fields {
 fields! {
     T: Number,
     Vector3<T>: Vector,
+    Matrix3<T>: Matrix,
     PerPoint<T>: PerPoint,
     Attachment<T>: Attachment,
     TorqueAxes: Axes,

@@ -17,6 +17,8 @@ pub(crate) const ALONG_ROD: f64 = 1e-9;
 pub(crate) enum Acts {
     /// On the mass, wherever it is: one force in the centre of mass.
     OnMass,
+    /// On the mass, by where its centre is: one force in the centre of mass.
+    OnCenter,
     /// On one place of the body.
     OnPlace,
     /// On every mass point, in a way that needs the points themselves.

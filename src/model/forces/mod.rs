@@ -17,11 +17,17 @@ mod gravity_gradient;
 mod ground;
 mod law;
 mod lorentz;
+mod mass_center_gravity;
+mod orbiting_dipole;
 mod parameter;
 mod per_point;
+mod pieces;
 mod pose;
+mod rotational_damping;
 mod spring;
 mod torque;
+mod torque_pulse;
+mod wheels;
 
 pub use argument::{Argument, Kind};
 pub use central_gravity::CentralGravity;
@@ -33,13 +39,19 @@ pub use ground::Ground;
 pub use law::Described;
 pub(crate) use law::{ALONG_ROD, Acts};
 pub use lorentz::Lorentz;
+pub use mass_center_gravity::MassCenterGravity;
+pub use orbiting_dipole::OrbitingDipole;
 pub use parameter::{Dimension, Nature, Parameter};
 pub use per_point::PerPoint;
 pub(crate) use pose::{Arms, Cloud, Load, Pose};
+pub use rotational_damping::RotationalDamping;
 pub use spring::{Attachment, Spring};
 pub use torque::{Torque, TorqueAxes};
+pub use torque_pulse::TorquePulse;
+pub use wheels::Wheels;
 
 use std::convert::Infallible;
+use std::fmt;
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -203,6 +215,16 @@ laws! {
     GravityGradient in gravity_gradient,
     /// A one-sided elastic plane with friction.
     Ground in ground,
+    /// τ = −C Ω.
+    RotationalDamping in rotational_damping,
+    /// τ = −Ω × R h.
+    Wheels in wheels,
+    /// τ = m × B(t).
+    OrbitingDipole in orbiting_dipole,
+    /// F = −μ M d/|d|³ on the centre of mass.
+    MassCenterGravity in mass_center_gravity,
+    /// A torque that acts for a time.
+    TorquePulse in torque_pulse,
 }
 
 impl Described {
@@ -243,7 +265,7 @@ impl<T: Real> Law<T> {
     /// Whether the point form needs the direction of the body axes.
     pub fn needs_axes(&self) -> bool {
         let in_body_axes = |(parameter, argument): (&Parameter, Argument<T>)| {
-            matches!(argument, Argument::Vector(_)) && self.in_body_axes(parameter)
+            matches!(argument, Argument::Vector(_) | Argument::Matrix(_)) && self.in_body_axes(parameter)
         };
         self.arguments().into_iter().any(in_body_axes)
     }
@@ -267,11 +289,22 @@ impl<T: Real> Law<T> {
 }
 
 /// The laws of a scene, bound to its body.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Default)]
 pub struct Forces<T: Real = f64> {
     laws: Vec<Law<T>>,
     reduced: Vec<Reduced<T>>,
     markers: Vec<Vector3<T>>,
+    /// The laws between their jumps, each with its end [s]; none where no law jumps.
+    pieces: Vec<(T, Forces<T>)>,
+}
+
+/// Without the pieces, which follow from the laws: the fingerprint of a scene is made of this text.
+impl<T: Real> fmt::Debug for Forces<T> {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let mut shown = f.debug_struct("Forces");
+        shown.field("laws", &self.laws).field("reduced", &self.reduced).field("markers", &self.markers);
+        shown.finish()
+    }
 }
 
 impl<T: Real> Forces<T> {
@@ -279,7 +312,13 @@ impl<T: Real> Forces<T> {
     pub fn new(laws: Vec<Law<T>>, body: &Body<T>) -> Forces<T> {
         let reduced = laws.iter().map(|law| law.reduce(body)).collect();
         let markers = laws.iter().flat_map(Law::markers).collect();
-        Forces { laws, reduced, markers }
+        let pieces = pieces::pieces(&laws, body);
+        Forces { laws, reduced, markers, pieces }
+    }
+
+    /// The laws between their jumps, each with the time that it ends at [s], the last without an end; none where no law jumps.
+    pub(crate) fn pieces(&self) -> &[(T, Forces<T>)] {
+        &self.pieces
     }
 
     /// The laws as stated.

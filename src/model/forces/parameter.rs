@@ -67,6 +67,8 @@ pub enum Nature {
     Axis,
     /// The distance of a plane from the origin of the world, along the direction that is the law's parameter before it.
     Height,
+    /// A time at which the law sets in or ends.
+    Jump,
     /// A word, the same in every world.
     Word,
 }
@@ -79,6 +81,8 @@ pub enum Dimension {
     Pure,
     /// m.
     Length,
+    /// s.
+    Time,
     /// 1/s.
     Frequency,
     /// m/s.
@@ -89,6 +93,8 @@ pub enum Dimension {
     Force,
     /// kg m²/s².
     Torque,
+    /// kg m²/s, of rotational damping too.
+    AngularMomentum,
     /// kg/s² of a spring.
     Stiffness,
     /// kg/s of a damper and of a magnetic force.
@@ -105,11 +111,13 @@ impl Dimension {
         match self {
             Dimension::Pure => [0, 0, 0],
             Dimension::Length => [0, 1, 0],
+            Dimension::Time => [0, 0, -1],
             Dimension::Frequency => [0, 0, 1],
             Dimension::Velocity => [0, 1, 1],
             Dimension::Acceleration => [0, 1, 2],
             Dimension::Force => [1, 1, 2],
             Dimension::Torque => [1, 2, 2],
+            Dimension::AngularMomentum => [1, 2, 1],
             Dimension::Stiffness => [1, 0, 2],
             Dimension::Damping => [1, 0, 1],
             Dimension::Central => [0, 3, 2],
@@ -127,6 +135,7 @@ impl Nature {
             | Nature::Body(dimension)
             | Nature::Stated(dimension) => dimension,
             Nature::Place | Nature::Height => Dimension::Length,
+            Nature::Jump => Dimension::Time,
             Nature::Direction | Nature::Axis | Nature::Word => Dimension::Pure,
         }
     }
@@ -134,7 +143,7 @@ impl Nature {
 
 /// The words that the tables are written in.
 pub(super) mod row {
-    use nalgebra::Vector3;
+    use nalgebra::{Matrix3, Vector3};
 
     pub use super::Dimension::*;
     pub use super::Nature::*;
@@ -154,6 +163,10 @@ pub(super) mod row {
 
     pub const fn vector(x: f64, y: f64, z: f64) -> Argument {
         Argument::Vector(Vector3::new(x, y, z))
+    }
+
+    pub const fn diagonal(x: f64, y: f64, z: f64) -> Argument {
+        Argument::Matrix(Matrix3::new(x, 0.0, 0.0, 0.0, y, 0.0, 0.0, 0.0, z))
     }
 
     pub const fn each(value: f64) -> Argument {

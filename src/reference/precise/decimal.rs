@@ -114,13 +114,18 @@ pub fn write(number: DoubleDouble, significant: usize) -> String {
 /// A vector to so many significant digits, or as many as `bound` leaves of its largest entry: of one that is no larger than
 /// its bound nothing but zeros.
 pub fn write_vector(vector: &[DoubleDouble; 3], bound: f64, significant: usize) -> [String; 3] {
-    let largest = vector.iter().map(|x| x.high.abs()).fold(0.0, f64::max);
-    let certain = (largest / (2.0 * bound)).log10().floor();
+    let certain = certain(vector, bound);
     if certain < 1.0 {
         return [0, 1, 2].map(|_| "0".to_owned());
     }
     let digits = if certain < significant as f64 { certain as usize } else { significant };
     vector.map(|x| write(x, digits))
+}
+
+/// The significant digits that `bound` leaves of the largest entry of a vector.
+pub fn certain(vector: &[DoubleDouble; 3], bound: f64) -> f64 {
+    let largest = vector.iter().map(|x| x.high.abs()).fold(0.0, f64::max);
+    (largest / (2.0 * bound)).log10().floor()
 }
 
 /// The number of a decimal text, with or without an exponent; what has an exponent is read as an f64.

@@ -14,7 +14,8 @@ use super::sheet::{Node, Sheet};
 use super::triple::{Columns, Triple};
 use crate::model::System;
 use crate::model::forces::{
-    Attachment, CentralGravity, Dipole, GravityGradient, Law, Lorentz, PerPoint, Spring, Torque, TorqueAxes,
+    Attachment, Dipole, GravityGradient, Law, Lorentz, OrbitingDipole, PerPoint, RotationalDamping, Spring,
+    Torque, TorqueAxes, TorquePulse, Wheels,
 };
 
 /// cos ωt and sin ωt.
@@ -45,6 +46,8 @@ pub(super) struct Motion<'a> {
     pub turning: Columns<'a>,
     pub origin: Triple<'a>,
     pub velocity: Triple<'a>,
+    /// Ω.
+    pub spin: Triple<'a>,
 }
 
 /// The angular rate that a law turns with [rad/s], and 0 where it does not depend on time.
@@ -53,8 +56,11 @@ pub(super) fn rate(law: &Law) -> DoubleDouble {
         Law::Lorentz(lorentz) if !lorentz.is_static() => lorentz.frequency.into(),
         Law::Torque(torque) => torque.frequency.into(),
         Law::GravityGradient(gradient) => length(&gradient.normal) * gradient.rate.into(),
+        Law::OrbitingDipole(dipole) => dipole.frequency.into(),
         Law::Gravity(_) | Law::Spring(_) | Law::Drag(_) | Law::CentralGravity(_) => DoubleDouble::ZERO,
         Law::Lorentz(_) | Law::Dipole(_) | Law::Ground(_) => DoubleDouble::ZERO,
+        Law::RotationalDamping(_) | Law::Wheels(_) | Law::MassCenterGravity(_) => DoubleDouble::ZERO,
+        Law::TorquePulse(_) => DoubleDouble::ZERO,
     }
 }
 
@@ -86,11 +92,22 @@ impl<'a> Motion<'a> {
             }),
             Law::CentralGravity(central) => self.on_points(|motion, k, x| {
                 let mass = motion.scale.plain(motion.system.body.points[k].mass, [1, 0, 0]);
-                motion.attraction(central, x).scaled(mass)
+                let place = motion.origin + motion.arm(x);
+                motion.attraction(central.mu, &central.center, place).scaled(mass)
             }),
+            Law::MassCenterGravity(central) => {
+                let arm = self.axes.of(self.matter.center);
+                let pull = self.attraction(central.mu, &central.center, self.origin + arm);
+                let force = pull.scaled(self.matter.mass);
+                Load { force, torque: arm.cross(force) }
+            }
             Law::Lorentz(lorentz) => self.lorentz(lorentz, phase),
             Law::Torque(law) => torque(self.torque(law, phase)),
             Law::Dipole(dipole) => torque(self.dipole(dipole)),
+            Law::OrbitingDipole(dipole) => torque(self.orbiting_dipole(dipole, phase)),
+            Law::TorquePulse(pulse) => torque(self.pulse(pulse)),
+            Law::RotationalDamping(damping) => torque(self.damping(damping)),
+            Law::Wheels(wheels) => torque(self.wheels(wheels)),
             Law::GravityGradient(gradient) => torque(self.gradient(gradient, phase)),
             Law::Ground(ground) => self.ground(ground, contacts),
         }
@@ -151,10 +168,10 @@ impl<'a> Motion<'a> {
     }
 
     /// −μ d/|d|³.
-    fn attraction(&self, central: &CentralGravity, x: &Vector3<f64>) -> Triple<'a> {
-        let d = self.origin + self.arm(x) - self.constant(&central.center, [0, 1, 0]);
+    fn attraction(&self, mu: f64, center: &Vector3<f64>, place: Triple<'a>) -> Triple<'a> {
+        let d = place - self.constant(center, [0, 1, 0]);
         let square = d.dot(d);
-        let mu = self.sheet.constant(-self.scale.plain(central.mu, [0, 3, -2]));
+        let mu = self.sheet.constant(-self.scale.plain(mu, [0, 3, -2]));
         d.times(mu / (square * square.sqrt()))
     }
 
@@ -184,10 +201,43 @@ impl<'a> Motion<'a> {
         }
     }
 
+    /// A constant, or nothing: a tape holds for the time between two jumps.
+    fn pulse(&self, pulse: &TorquePulse) -> Triple<'a> {
+        let acts = pulse.start == f64::NEG_INFINITY && pulse.end == f64::INFINITY;
+        match pulse.axes {
+            _ if !acts => Triple::zero(self.sheet),
+            TorqueAxes::World => self.constant(&pulse.torque, [1, 2, -2]),
+            TorqueAxes::Body => self.in_body(&pulse.torque, [1, 2, -2]),
+        }
+    }
+
     /// m × B.
     fn dipole(&self, dipole: &Dipole) -> Triple<'a> {
-        let moment = self.axes.of([0, 1, 2].map(|i| self.scale.plain(dipole.moment[i], [1, 2, -2]).into()));
-        moment.cross(Triple::constant(self.sheet, &dipole.field))
+        self.in_body(&dipole.moment, [1, 2, -2]).cross(Triple::constant(self.sheet, &dipole.field))
+    }
+
+    /// m × (B₀ + B_c cos ωt + B_s sin ωt).
+    fn orbiting_dipole(&self, dipole: &OrbitingDipole, phase: Option<Phase<'a>>) -> Triple<'a> {
+        let parts = [dipole.field, dipole.field_cosine, dipole.field_sine];
+        let field = oscillating(parts.map(|part| Triple::constant(self.sheet, &part)), phase);
+        self.in_body(&dipole.moment, [1, 2, -2]).cross(field)
+    }
+
+    /// −Σ c_j (Ω·R e_j), with c_j = R C e_j, column by column.
+    fn damping(&self, damping: &RotationalDamping) -> Triple<'a> {
+        let column = |j: usize| self.in_body(&damping.coefficients.column(j).into(), [1, 2, -1]);
+        let part = |j: usize| column(j).times(self.axes.0[j].dot(self.spin));
+        (part(0) + part(1) + part(2)).scaled(-1.0)
+    }
+
+    /// −Ω × R h.
+    fn wheels(&self, wheels: &Wheels) -> Triple<'a> {
+        self.spin.cross(self.in_body(&wheels.momentum, [1, 2, -1])).scaled(-1.0)
+    }
+
+    /// A vector of the body, world axes, in units.
+    fn in_body(&self, v: &Vector3<f64>, dimension: [i32; 3]) -> Triple<'a> {
+        self.axes.of([v.x, v.y, v.z].map(|x| self.scale.plain(x, dimension).into()))
     }
 
     /// 3 μ/r³ r̂ × I r̂, with r̂ = a (a·r̂₀) + (r̂₀ − a (a·r̂₀)) cos + a × r̂₀ sin, turning about a.

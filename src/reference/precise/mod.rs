@@ -15,6 +15,7 @@ pub mod decimal;
 mod double_double;
 mod laws;
 mod matter;
+mod pieces;
 mod problem;
 mod scale;
 mod sheet;

@@ -74,7 +74,12 @@ impl<'a> Problem<'a> {
     /// The equations of `system` for a run of `duration` [s], with inertia and L off by `nudge` of themselves, and the
     /// place and velocity of a body on the ground.
     pub(super) fn of(system: &'a System, duration: f64, nudge: f64) -> Problem<'a> {
-        let (sheet, scale) = (Sheet::default(), Scale::of(system, duration));
+        Problem::in_units(system, Scale::of(system, duration), nudge)
+    }
+
+    /// The same in units that are given.
+    fn in_units(system: &'a System, scale: Scale, nudge: f64) -> Problem<'a> {
+        let sheet = Sheet::default();
         let matter = Matter::of(&system.body, &scale).nudged(nudge);
         let mut variables = Variables::default();
         let place = Place::new(&sheet, system, &scale, &matter, &mut variables, nudge);
@@ -87,6 +92,16 @@ impl<'a> Problem<'a> {
         let (shown, quaternion) = (sheet.tape(&shown, &[]), place.quaternion);
         let Variables { start, sizes } = variables;
         Problem { system, matter, nudge, scale, shown, start, sizes, quaternion }
+    }
+
+    /// The equations of a piece of the motion between two jumps of the laws, with the same variables and units.
+    pub(super) fn of_piece<'b>(&self, system: &'b System, state: &[DoubleDouble]) -> Problem<'b> {
+        Problem { start: state.to_vec(), ..Problem::in_units(system, self.scale, self.nudge) }
+    }
+
+    /// The system that it is made of.
+    pub(super) fn system(&self) -> &'a System {
+        self.system
     }
 
     /// The equations with these contacts; none holds beyond the end of the list.
@@ -233,8 +248,8 @@ impl<'a> Place<'a> {
         scale: &'a Scale,
         matter: &'a Matter,
     ) -> Motion<'a> {
-        let Place { axes, origin, velocity, .. } = *self;
-        Motion { sheet, system, scale, matter, axes, turning: axes.turning(self.spin), origin, velocity }
+        let Place { axes, origin, velocity, spin, .. } = *self;
+        Motion { sheet, system, scale, matter, axes, turning: axes.turning(spin), origin, velocity, spin }
     }
 }
 

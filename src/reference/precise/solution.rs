@@ -3,8 +3,9 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::double_double::DoubleDouble;
+use super::pieces;
 use super::problem::{Problem, SHOWN};
-use super::taylor::{self, Control};
+use super::taylor::Control;
 use crate::model::{PerQuantity, Quantity, Snapshot, System};
 use crate::ode::SolverError;
 use crate::ode::run;
@@ -81,8 +82,8 @@ fn compared(
     let last = run::increasing(times)?;
     let problem = |nudge| Problem::of(system, if last > 0.0 { last } else { 1.0 }, nudge);
     let (problem, nudged) = (problem(0.0), problem(NUDGE));
-    let fine = taylor::along(&problem, times, &controls[0], most_work)?;
-    let coarse = taylor::along(&nudged, times, &controls[1], most_work)?;
+    let fine = pieces::along(&problem, times, &controls[0], most_work)?;
+    let coarse = pieces::along(&nudged, times, &controls[1], most_work)?;
     let mut largest = PerQuantity::all(0.0);
     let moments = times
         .iter()

@@ -48,10 +48,11 @@ pub(super) struct Course {
     pub switches: usize,
 }
 
-/// The variables at increasing `times` [s]; given up where the steps so far tell that a run would take more than
+/// The variables at increasing `times` [s], from a time on [s]; given up where the steps so far tell that a run would take more than
 /// `most_work` multiply-adds.
 pub(super) fn along(
     problem: &Problem,
+    start: f64,
     times: &[f64],
     control: &Control,
     most_work: f64,
@@ -63,7 +64,7 @@ pub(super) fn along(
         last: times.last().map_or(0.0, in_units),
         stretch: Stretch::new(problem, control.order),
         state: problem.start.clone(),
-        reached: DoubleDouble::ZERO,
+        reached: in_units(&start).into(),
         work: 0.0,
         standing: 0,
         course: Course::default(),

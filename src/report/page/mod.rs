@@ -1,12 +1,14 @@
 //! What the HTML and the Markdown report say: every number already in print, with its unit and uncertainty.
 
 mod costs;
+mod findings;
 mod precision;
 mod rankings;
+mod reasons;
 mod scene;
+mod stability;
 mod tables;
 
-use minijinja::Value;
 use serde::Serialize;
 
 use crate::record::{ClaimName, Machine, Records, Verdict};
@@ -22,8 +24,6 @@ use super::survey::{self, Outcome};
 pub(super) struct Figure {
     /// What it shows.
     pub subject: Subject,
-    /// The picture as an SVG element, shared by whoever shows it; none where the page only names its file, because it is large.
-    pub svg: Option<Value>,
 }
 
 /// The whole report.
@@ -35,7 +35,9 @@ pub(super) struct Page {
     complete: bool,
     verdict_count: usize,
     tally: Vec<Count>,
+    findings: Vec<String>,
     attention: Vec<VerdictRow>,
+    reasons: Vec<reasons::Reason>,
     broken_runs: Vec<tables::BrokenRun>,
     schemes: Vec<tables::Scheme>,
     overview: Option<FigureView>,
@@ -50,6 +52,7 @@ pub(super) struct Page {
     costs: Option<costs::Costs>,
     scaling: Option<FigureView>,
     precision: Option<precision::Precision>,
+    stability: Option<stability::Section>,
     scenes: Vec<scene::Scene>,
 }
 
@@ -65,8 +68,9 @@ struct Count {
 #[derive(Serialize)]
 pub(super) struct FigureView {
     file: String,
-    svg: Option<Value>,
     caption: String,
+    /// Whether it shows errors of runs.
+    errors: bool,
 }
 
 /// A verdict in print.
@@ -120,10 +124,6 @@ fn measured(verdict: &Verdict) -> String {
 /// Composes the report from the records and the pictures drawn from them. `main` is the records without the schemes that stand
 /// apart.
 pub(super) fn compose(records: &Records, main: &Records, figures: &[Figure]) -> Page {
-    let counts = survey::tally(records.verdicts.iter());
-    let mut attention: Vec<&Verdict> =
-        records.verdicts.iter().filter(|verdict| Outcome::of(verdict).needs_attention()).collect();
-    attention.sort_by_key(|verdict| Outcome::of(verdict));
     let (order_quantities, orders) = tables::order_summary(main);
     Page {
         version: records.polhode.clone(),
@@ -131,11 +131,10 @@ pub(super) fn compose(records: &Records, main: &Records, figures: &[Figure]) -> 
         machine: machine_words(&records.machine),
         complete: records.complete,
         verdict_count: records.verdicts.len(),
-        tally: counts
-            .into_iter()
-            .map(|(outcome, count)| Count { class: outcome.class(), words: outcome.words(), count })
-            .collect(),
-        attention: attention.into_iter().map(VerdictRow::new).collect(),
+        tally: tally(records),
+        findings: findings::findings(records, main),
+        attention: attention(records.verdicts.iter()),
+        reasons: reasons::reasons(&records.verdicts),
         broken_runs: tables::broken_runs(records),
         schemes: records.schemes.iter().map(|row| tables::Scheme::new(records, row)).collect(),
         overview: figure(
@@ -162,11 +161,25 @@ pub(super) fn compose(records: &Records, main: &Records, figures: &[Figure]) -> 
             "Cost of a step against the mass points of the body, and of a campaign against its cells.",
         ),
         precision: precision::Precision::new(main, figures),
+        stability: stability::Section::new(main),
         scenes: survey::scenes(records)
             .into_iter()
             .map(|name| scene::Scene::new(main, figures, name, rankings::Ranking::new(records, name)))
             .collect(),
     }
+}
+
+/// How many verdicts have each outcome.
+fn tally(records: &Records) -> Vec<Count> {
+    let counts = survey::tally(records.verdicts.iter()).into_iter();
+    counts.map(|(outcome, count)| Count { class: outcome.class(), words: outcome.words(), count }).collect()
+}
+
+/// The verdicts that a reader must see, the worst first.
+fn attention<'a>(verdicts: impl Iterator<Item = &'a Verdict>) -> Vec<VerdictRow> {
+    let mut rows: Vec<&Verdict> = verdicts.filter(|verdict| Outcome::of(verdict).needs_attention()).collect();
+    rows.sort_by_key(|verdict| Outcome::of(verdict));
+    rows.into_iter().map(VerdictRow::new).collect()
 }
 
 /// What an error costs, by time and by count.
@@ -177,8 +190,9 @@ fn cheapest(figures: &[Figure]) -> Vec<FigureView> {
 }
 
 pub(super) fn figure(figures: &[Figure], subject: &Subject, caption: &str) -> Option<FigureView> {
-    let drawn = figures.iter().find(|figure| figure.subject == *subject)?;
-    Some(FigureView { file: subject.file_name(), svg: drawn.svg.clone(), caption: caption.into() })
+    figures.iter().find(|figure| figure.subject == *subject)?;
+    let errors = matches!(subject, Subject::Convergence(_) | Subject::WorkPrecision(..));
+    Some(FigureView { file: subject.file_name(), caption: caption.into(), errors })
 }
 
 pub(super) fn machine_words(machine: &Machine) -> String {

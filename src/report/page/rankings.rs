@@ -1,7 +1,5 @@
 //! The tables that rank schemes by their error for equal work.
 
-use std::collections::BTreeMap;
-
 use serde::Serialize;
 
 use crate::record::Records;
@@ -59,10 +57,11 @@ impl Ranking {
     }
 }
 
-/// A scheme over all scenes that it was ranked on.
+/// A scheme over the scenes that all ranked ones share.
 #[derive(Serialize)]
 pub(super) struct Overall {
     place: usize,
+    kind: &'static str,
     yardstick: String,
     scheme: String,
     family: String,
@@ -72,50 +71,22 @@ pub(super) struct Overall {
     worst: String,
 }
 
-/// The family of a scheme, and the ratio of its error to the yardstick's in each scene.
-type Scored<'a> = (&'a str, Vec<(f64, &'a str)>);
-
-/// Schemes by the geometric mean of the ratios of their errors to the yardstick's, over the scenes that carry an order. Empty
-/// where there are fewer than two.
+/// The rankings without torque and with it, one after the other.
 pub(super) fn overall(records: &Records) -> Vec<Overall> {
-    let mut ratios: BTreeMap<&str, Scored> = BTreeMap::new();
-    let mut yardstick = "";
-    for scene in survey::scenes(records) {
-        let Some(ranking) = ranking::rank(records, scene) else { continue };
-        if survey::scene(records, scene).is_some_and(|row| row.not_for_order.is_some()) {
-            continue;
-        }
-        yardstick = ranking.yardstick;
-        for place in &ranking.places {
-            if let Some(error) = place.error {
-                let entry = ratios.entry(place.scheme).or_insert((place.family, Vec::new()));
-                entry.1.push((error / ranking.error, scene));
-            }
-        }
-    }
-    let mean = |ratios: &[(f64, &str)]| {
-        (ratios.iter().map(|(ratio, _)| ratio.ln()).sum::<f64>() / ratios.len() as f64).exp()
-    };
-    let mut all: Vec<_> = ratios.into_iter().collect();
-    all.sort_by(|a, b| mean(&a.1.1).total_cmp(&mean(&b.1.1)));
-    if all.len() < 2 {
-        return Vec::new();
-    }
-    let words = |extreme: Option<&(f64, &str)>| {
-        extreme
-            .map_or(String::new(), |(ratio, scene)| format!("{} ({scene})", number::significant(*ratio, 2)))
-    };
-    all.iter()
-        .enumerate()
-        .map(|(index, (scheme, (family, ratios)))| Overall {
+    let words = |(ratio, scene): (f64, &str)| format!("{} ({scene})", number::significant(ratio, 2));
+    let rows = |group: ranking::Overall| {
+        let row = |(index, place): (usize, &ranking::OverallPlace)| Overall {
             place: index + 1,
-            yardstick: yardstick.into(),
-            scheme: (*scheme).into(),
-            family: (*family).into(),
-            scenes: ratios.len(),
-            mean: number::significant(mean(ratios), 3),
-            best: words(ratios.iter().min_by(|a, b| a.0.total_cmp(&b.0))),
-            worst: words(ratios.iter().max_by(|a, b| a.0.total_cmp(&b.0))),
-        })
-        .collect()
+            kind: if group.torque_free { "torque-free" } else { "under a torque" },
+            yardstick: group.yardstick.into(),
+            scheme: place.scheme.into(),
+            family: place.family.into(),
+            scenes: group.scenes.len(),
+            mean: number::significant(place.mean, 3),
+            best: words(place.best),
+            worst: words(place.worst),
+        };
+        group.places.iter().enumerate().map(row).collect::<Vec<_>>()
+    };
+    ranking::overall(records).into_iter().flat_map(rows).collect()
 }

@@ -29,6 +29,7 @@ pub(super) struct Scene {
     drifts: Vec<DriftRow>,
     measures: Vec<Measure>,
     verdicts: Vec<VerdictRow>,
+    attention: Vec<VerdictRow>,
 }
 
 /// What a scene is.
@@ -83,6 +84,7 @@ impl Scene {
             drifts: records.drifts.iter().filter(|row| row.scene == name).map(DriftRow::new).collect(),
             measures: measures(&rows, &schemes),
             schemes: schemes.iter().map(|scheme| finest_words(&rows, scheme)).collect(),
+            attention: super::attention(verdicts.clone()),
             verdicts: verdicts.map(VerdictRow::new).collect(),
         }
     }

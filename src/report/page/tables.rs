@@ -7,6 +7,8 @@ use serde::Serialize;
 use crate::record::{Drift, Measurement, Order, OrderStatus, Records, RunStatus, SchemeRow};
 use crate::report::{number, survey};
 
+use super::VerdictRow;
+
 /// A scheme's card.
 #[derive(Serialize)]
 pub(super) struct Scheme {
@@ -19,11 +21,24 @@ pub(super) struct Scheme {
     source: String,
     cost: String,
     fails_where: String,
+    apart: bool,
+    anchor: String,
+    tally: String,
+    orders: Vec<OrderRow>,
+    drifts: Vec<DriftRow>,
+    attention: Vec<VerdictRow>,
 }
 
 impl Scheme {
     pub(super) fn new(records: &Records, row: &SchemeRow) -> Scheme {
+        let verdicts = || records.verdicts.iter().filter(|verdict| verdict.scheme == row.name);
         Scheme {
+            apart: row.apart,
+            anchor: survey::file_stem(&row.name),
+            tally: survey::tally_words(&survey::tally(verdicts().collect::<Vec<_>>().into_iter())),
+            orders: records.orders.iter().filter(|one| one.scheme == row.name).map(OrderRow::new).collect(),
+            drifts: records.drifts.iter().filter(|one| one.scheme == row.name).map(DriftRow::new).collect(),
+            attention: super::attention(verdicts()),
             name: row.name.clone(),
             title: row.title.clone(),
             family: row.family.clone(),
@@ -90,6 +105,8 @@ pub(super) fn order_words(order: &Order) -> String {
 /// One order with everything known about it.
 #[derive(Serialize)]
 pub(super) struct OrderRow {
+    scene: String,
+    anchor: String,
     quantity: String,
     scheme: String,
     order: String,
@@ -102,6 +119,8 @@ pub(super) struct OrderRow {
 impl OrderRow {
     pub(super) fn new(order: &Order) -> OrderRow {
         OrderRow {
+            scene: order.scene.clone(),
+            anchor: survey::file_stem(&order.scene),
             quantity: survey::quantity_words(&order.quantity),
             scheme: order.scheme.clone(),
             order: order_words(order),
@@ -116,12 +135,11 @@ impl OrderRow {
     }
 }
 
-/// What five digits of two errors leave of a constant, relative: three times half a unit of the last.
-const OF_DIGITS: f64 = 1.5e-5;
-
-/// C of C hᵖ. It is extrapolated from two runs that differ from a power of h by r, which leaves about r² of it.
+/// C of C hᵖ with its uncertainty.
 fn constant(order: &Order) -> String {
-    let (Some(constant), Some(slope), Some(r)) = (order.constant, order.order, order.r) else {
+    let (Some(constant), Some(slope), Some(part)) =
+        (order.constant, order.order, order.constant_uncertainty())
+    else {
         return number::quantity(order.constant, None, &order.unit);
     };
     let power = slope.round() as u32;
@@ -131,7 +149,7 @@ fn constant(order: &Order) -> String {
         plain => plain.to_string(),
     };
     let per = if power == 1 { "/s".to_string() } else { format!("/s{}", number::superscript(power as i32)) };
-    number::quantity(Some(constant), Some(constant * (r * r + OF_DIGITS)), &format!("{unit}{per}"))
+    number::quantity(Some(constant), Some(constant * part), &format!("{unit}{per}"))
 }
 
 /// A conserved quantity's drift.

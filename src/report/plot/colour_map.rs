@@ -6,6 +6,8 @@
 
 use plotters::style::RGBColor;
 
+use super::palette::COLOURS;
+
 const VIRIDIS: [RGBColor; 10] = [
     RGBColor(0x44, 0x01, 0x54),
     RGBColor(0x48, 0x28, 0x78),
@@ -24,6 +26,13 @@ pub(super) fn viridis(part: f64) -> RGBColor {
     let along = part.clamp(0.0, 1.0) * (VIRIDIS.len() - 1) as f64;
     let below = (along.floor() as usize).min(VIRIDIS.len() - 2);
     mix(VIRIDIS[below], VIRIDIS[below + 1], along - below as f64)
+}
+
+/// The colour of a part of a range with zero in its middle: blue below, white at the middle, vermilion above.
+pub(super) fn diverging(part: f64) -> RGBColor {
+    const WHITE: RGBColor = RGBColor(255, 255, 255);
+    let away = (2.0 * part.clamp(0.0, 1.0) - 1.0).abs();
+    mix(WHITE, if part < 0.5 { COLOURS[0] } else { COLOURS[1] }, away)
 }
 
 fn mix(from: RGBColor, to: RGBColor, part: f64) -> RGBColor {

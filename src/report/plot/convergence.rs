@@ -5,7 +5,7 @@ use crate::report::{number, survey};
 
 use super::convergence_panel::{self, label_words};
 use super::curves::{self, Quantity};
-use super::labels;
+use super::key::{Key, Row};
 use super::legend::{self, Entry, Sign};
 use super::palette::Palette;
 use super::panel::{self, Frame};
@@ -15,33 +15,56 @@ const WIDTH: f64 = 2600.0;
 const TOP: f64 = 150.0;
 const MARGIN: f64 = 30.0;
 
-/// The picture; `None` where the scene has no errors at all.
+/// The picture; `None` where no scheme has errors at two steps.
 pub(super) fn sketch(records: &Records, palette: &Palette, scene: &str) -> Option<Sketch> {
     let quantities = curves::at_the_end(records, scene);
-    if quantities.is_empty() {
+    let (exact, mut drawn): (Vec<_>, Vec<_>) =
+        quantities.into_iter().filter(Quantity::has_a_line).partition(Quantity::is_exact);
+    if drawn.is_empty() {
         return None;
     }
-    let (exact, drawn): (Vec<_>, Vec<_>) = quantities.into_iter().partition(Quantity::is_exact);
     let cells = drawn.len() + usize::from(!exact.is_empty());
     let grid = grid(cells);
-    let entries = entries(palette, &drawn);
+    let key = key(palette, &drawn);
+    // Rounding says nothing about an order: the table names what is exact.
+    drawn.iter_mut().for_each(|quantity| quantity.curves.retain(|curve| !curve.is_exact()));
+    let entries = entries(&drawn);
     let room = WIDTH - 2.0 * MARGIN - 20.0;
-    let strip = legend::height(&entries, room);
-    let height = TOP + grid.1 as f64 * row_height(grid) + strip + 2.0 * MARGIN;
+    let strip = key.height(room) + legend::height(&entries, room);
+    let bottom = TOP + grid.1 as f64 * row_height(grid);
     let title = survey::title(records, scene);
-    let mut sketch = Sketch::new(WIDTH, height, format!("{title}: error at the end against the time step"));
+    let mut sketch = Sketch::new(
+        WIDTH,
+        bottom + strip + 3.0 * MARGIN,
+        format!("{title}: error at the end against the time step"),
+    );
     panel::headline(&mut sketch, title, &subtitle(records, scene));
-    let all = Frame { left: MARGIN, top: TOP, right: WIDTH - MARGIN, bottom: height - strip - 2.0 * MARGIN };
-    let words: Vec<String> = drawn.iter().flat_map(|one| one.curves.iter().map(label_words)).collect();
-    let column = labels::column_width(words.iter().map(String::as_str));
+    let all = Frame { left: MARGIN, top: TOP, right: WIDTH - MARGIN, bottom };
     for (index, quantity) in drawn.iter().enumerate() {
-        convergence_panel::draw(&mut sketch, palette, quantity, all.cell(grid, index), column);
+        convergence_panel::draw(&mut sketch, palette, quantity, all.cell(grid, index));
     }
     if !exact.is_empty() {
         note_exact(&mut sketch, &exact, all.cell(grid, drawn.len()));
     }
-    legend::draw(&mut sketch, &entries, MARGIN + 20.0, height - strip - MARGIN, room);
+    key.draw(&mut sketch, MARGIN + 20.0, bottom + MARGIN, room);
+    legend::draw(&mut sketch, &entries, MARGIN + 20.0, bottom + 1.5 * MARGIN + key.height(room), room);
     Some(sketch)
+}
+
+/// A row a scheme, with its order in each quantity.
+fn key(palette: &Palette, drawn: &[Quantity]) -> Key {
+    let curve =
+        |quantity: &Quantity, scheme: &str| quantity.curves.iter().position(|curve| curve.scheme == scheme);
+    let row = |scheme: &&str| {
+        let cell = |quantity: &Quantity| {
+            curve(quantity, scheme).map_or(number::NONE.into(), |index| label_words(&quantity.curves[index]))
+        };
+        let shown = drawn.iter().any(|quantity| curve(quantity, scheme).is_some());
+        let cells = drawn.iter().map(cell).collect();
+        shown.then(|| Row { look: palette.look(scheme), name: (*scheme).into(), cells })
+    };
+    let head = |quantity: &Quantity| format!("order of {}", survey::quantity_words(quantity.name));
+    Key { heads: drawn.iter().map(head).collect(), rows: palette.schemes().iter().filter_map(row).collect() }
 }
 
 /// Columns and rows for so many panels.
@@ -69,16 +92,14 @@ fn subtitle(records: &Records, scene: &str) -> String {
     text
 }
 
-fn entries(palette: &Palette, drawn: &[Quantity]) -> Vec<Entry> {
+fn entries(drawn: &[Quantity]) -> Vec<Entry> {
     let curves = || drawn.iter().flat_map(|quantity| &quantity.curves);
-    let shown = palette.schemes().iter().filter(|scheme| curves().any(|curve| curve.scheme == **scheme));
-    let mut entries: Vec<Entry> =
-        shown.map(|scheme| Entry::new(Sign::Scheme(palette.look(scheme)), *scheme)).collect();
+    let mut entries = Vec::new();
     if curves().any(|curve| curve.rungs.iter().any(|rung| !rung.used)) {
         entries.push(Entry::new(Sign::Hollow, "does not decide the order"));
     }
     if drawn.iter().any(|quantity| !quantity.guide_orders().is_empty()) {
-        entries.push(Entry::new(Sign::Guide, "guide of whole slope"));
+        entries.push(Entry::new(Sign::Guide, "slope of a whole order"));
     }
     if drawn.iter().any(|quantity| quantity.floor().is_some()) {
         entries.push(Entry::new(Sign::Band, "floor: reference or rounding"));

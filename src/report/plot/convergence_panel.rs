@@ -5,26 +5,22 @@ use crate::report::{number, survey};
 
 use super::axis::Axis;
 use super::curves::{Curve, Quantity};
-use super::labels::{self, Label};
-use super::palette::{BAND, GUIDE, Palette};
+use super::palette::{BAND, Palette};
 use super::panel::{Frame, Panel, TICK};
 use super::sketch::{Anchor, Place, Sketch};
+use super::slopes;
 
-const RADIUS: f64 = 12.0;
+const RADIUS: f64 = 11.0;
 /// A floor so many decades below the smallest error, or nearer, is drawn.
 const FLOOR_IN_SIGHT: f64 = 3.0;
-/// How far a guide runs below its curve.
-const GUIDE_DROP: f64 = 40.0;
 
-/// Draws the panel into a cell, with a column at its right for the labels.
-pub(super) fn draw(sketch: &mut Sketch, palette: &Palette, quantity: &Quantity, cell: Frame, column: f64) {
-    let frame = cell.inside(128.0, 66.0, column, 110.0);
-    let panel = axes(quantity, frame);
+/// Draws the panel into a cell.
+pub(super) fn draw(sketch: &mut Sketch, palette: &Palette, quantity: &Quantity, cell: Frame) {
+    let panel = axes(quantity, cell.inside(128.0, 66.0, 26.0, 110.0));
     panel.draw_grid(sketch);
     draw_floor(sketch, &panel, quantity);
-    for order in quantity.guide_orders() {
-        draw_guide(sketch, &panel, quantity, order);
-    }
+    let lines: Vec<Vec<Place>> = quantity.curves.iter().map(|curve| places(&panel, curve)).collect();
+    slopes::draw(sketch, &panel, &lines, &quantity.guide_orders());
     for curve in &quantity.curves {
         draw_curve(sketch, palette, &panel, curve);
     }
@@ -35,8 +31,6 @@ pub(super) fn draw(sketch: &mut Sketch, palette: &Palette, quantity: &Quantity, 
     panel.label_x(sketch, "step h [s]");
     panel.label_y(sketch);
     panel.title(sketch, &title(quantity));
-    let ends = quantity.curves.iter().filter_map(|curve| label(palette, &panel, curve)).collect();
-    labels::list(sketch, frame, ends);
 }
 
 fn title(quantity: &Quantity) -> String {
@@ -85,61 +79,6 @@ fn draw_floor(sketch: &mut Sketch, panel: &Panel, quantity: &Quantity) {
     }
 }
 
-/// A line of slope `order` under the first curve whose measured order rounds to it.
-fn draw_guide(sketch: &mut Sketch, panel: &Panel, quantity: &Quantity, order: i32) {
-    let rounds =
-        |curve: &&Curve| curve.order.and_then(|fit| fit.order).is_some_and(|p| p.round() as i32 == order);
-    let Some(curve) = quantity.curves.iter().find(rounds) else { return };
-    let used: Vec<_> = curve.rungs.iter().filter(|rung| rung.used && rung.error.is_finite()).collect();
-    let (Some(first), Some(last)) = (used.first(), used.last()) else { return };
-    let slope = f64::from(order);
-    let mean =
-        |part: fn(&super::curves::Rung) -> f64| used.iter().map(|r| part(r)).sum::<f64>() / used.len() as f64;
-    let (step, error) = (mean(|rung| rung.step), mean(|rung| rung.error));
-    let drop = GUIDE_DROP / (panel.frame.bottom - panel.frame.top) * (panel.y.high - panel.y.low);
-    let height = |x: f64| error - drop + slope * (x - step);
-    // The part of the guide that lies inside the frame.
-    let enter = step + (panel.y.low - error + drop) / slope;
-    let (from, to) = (first.step.max(enter), last.step);
-    if to <= from {
-        return;
-    }
-    let (from, to) = (panel.place(from, height(from)), panel.place(to, height(to)));
-    sketch.dashes(from, to, GUIDE, 3.0);
-    name_guide(sketch, panel, quantity, (from, to), order);
-}
-
-/// Writes the power under the guide's middle where no curve runs.
-fn name_guide(
-    sketch: &mut Sketch,
-    panel: &Panel,
-    quantity: &Quantity,
-    (from, to): (Place, Place),
-    order: i32,
-) {
-    let words = if order == 1 { "h".to_string() } else { format!("h{}", number::superscript(order)) };
-    for part in [0.5, 0.3, 0.7, 0.15] {
-        let on = (from.0 + part * (to.0 - from.0), from.1 + part * (to.1 - from.1));
-        let place = (on.0 + 24.0, on.1 + 22.0);
-        let inside = place.1 < panel.frame.bottom - 20.0 && place.0 < panel.frame.right - 30.0;
-        if inside && quantity.curves.iter().all(|curve| clear_of(panel, curve, place)) {
-            sketch.text(&words, place, Anchor::Middle, TICK);
-            return;
-        }
-    }
-}
-
-/// True where no segment of the curve comes near the place.
-fn clear_of(panel: &Panel, curve: &Curve, (x, y): Place) -> bool {
-    const NEAR: f64 = 34.0;
-    places(panel, curve).windows(2).all(|pair| {
-        let [(x0, y0), (x1, y1)] = [pair[0], pair[1]];
-        let length = (x1 - x0).powi(2) + (y1 - y0).powi(2);
-        let part = (((x - x0) * (x1 - x0) + (y - y0) * (y1 - y0)) / length.max(1e-9)).clamp(0.0, 1.0);
-        (x0 + part * (x1 - x0) - x).hypot(y0 + part * (y1 - y0) - y) > NEAR
-    })
-}
-
 /// The places of a curve's points; an error of zero stands on the lower edge.
 fn places(panel: &Panel, curve: &Curve) -> Vec<Place> {
     curve.rungs.iter().map(|rung| panel.place(rung.step, rung.error.max(panel.y.low))).collect()
@@ -148,7 +87,7 @@ fn places(panel: &Panel, curve: &Curve) -> Vec<Place> {
 fn draw_curve(sketch: &mut Sketch, palette: &Palette, panel: &Panel, curve: &Curve) {
     let look = palette.look(curve.scheme);
     let places = places(panel, curve);
-    sketch.line(places.clone(), look.ink, 5.0);
+    sketch.stroke(places.clone(), look.ink, 4.0, look.dash);
     for (place, rung) in places.into_iter().zip(&curve.rungs) {
         sketch.marker(look.marker, place, RADIUS, look.ink, rung.used);
     }
@@ -162,13 +101,7 @@ fn draw_broken(sketch: &mut Sketch, palette: &Palette, panel: &Panel, curve: &Cu
     }
 }
 
-fn label(palette: &Palette, panel: &Panel, curve: &Curve) -> Option<Label> {
-    let finest = curve.rungs.first()?;
-    let end = panel.place(finest.step, finest.error.max(panel.y.low));
-    Some(Label { words: label_words(curve), end, look: palette.look(curve.scheme) })
-}
-
-/// What stands beside a curve: its order with the bounds, or why it has none.
+/// What stands beside the name of a scheme: its order with the bounds, or why it has none.
 pub(super) fn label_words(curve: &Curve) -> String {
     match curve.order {
         Some(fit) if fit.status == OrderStatus::Decided => number::order(fit.order, fit.low, fit.high),

@@ -67,7 +67,12 @@ pub(super) struct Quantity<'a> {
 impl Quantity<'_> {
     /// True where every scheme is exact.
     pub(super) fn is_exact(&self) -> bool {
-        self.curves.iter().all(|curve| curve.is_exact() && curve.broken.is_empty())
+        self.curves.iter().all(|curve| curve.is_exact() || curve.rungs.is_empty())
+    }
+
+    /// True where a curve has two points: a dot says nothing about an order.
+    pub(super) fn has_a_line(&self) -> bool {
+        self.curves.iter().any(|curve| curve.rungs.len() > 1)
     }
 
     /// The largest floor of any scheme, log₁₀.
@@ -77,10 +82,10 @@ impl Quantity<'_> {
     }
 
     /// The orders that guide lines are drawn for: those measured, as whole numbers.
-    pub(super) fn guide_orders(&self) -> Vec<i32> {
+    pub(super) fn guide_orders(&self) -> Vec<u32> {
         let fitted = self.curves.iter().filter_map(|curve| curve.order?.order);
-        let mut orders: Vec<i32> =
-            fitted.map(|order| order.round() as i32).filter(|order| *order > 0).collect();
+        let mut orders: Vec<u32> =
+            fitted.map(|order| order.round() as u32).filter(|order| *order > 0).collect();
         orders.sort_unstable();
         orders.dedup();
         orders

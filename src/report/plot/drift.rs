@@ -15,6 +15,7 @@ use super::panel::{self, Frame, Panel};
 use super::sketch::{Anchor, Place, Sketch, Type};
 
 const METRIC: &str = "rotational-energy-drift-rate";
+const LEVEL: &str = "rotational-energy-drift-level";
 const QUANTITY: &str = "rotational-energy";
 const MARGIN: f64 = 30.0;
 const TOP: f64 = 160.0;
@@ -77,22 +78,31 @@ fn drifting(records: &Records) -> Vec<Drifting<'_>> {
         let curves: Vec<Curve> = schemes
             .iter()
             .map(|scheme| signed(curves::curve(scheme, &rows, None), &rows))
-            .filter(|curve| !curve.rungs.is_empty() && !is_exact(records, scene, curve.scheme))
+            .filter(|curve| curve.rungs.len() > 1 && !is_exact(records, scene, curve.scheme))
             .collect();
         (!curves.is_empty()).then_some(Drifting { scene, curves })
     };
     survey::scenes(records).into_iter().filter_map(one).collect()
 }
 
-/// Whether what is left of a drift is rounding.
+/// Roundings of the energy that are still rounding.
+const FEW: f64 = 10.0;
+
+/// Whether what is left of a drift is rounding: in its class, or in the level that the energy moves by at every step.
 fn is_exact(records: &Records, scene: &str, scheme: &str) -> bool {
+    let level = |row: &&Measurement| row.scene == scene && row.scheme == scheme && row.metric == LEVEL;
+    let levels = || records.measurements.iter().map(Arc::as_ref).filter(level);
+    let small = |row: &Measurement| row.value.map(f64::abs) <= row.uncertainty.map(|rounding| FEW * rounding);
+    if levels().next().is_some() && levels().all(small) {
+        return true;
+    }
     let exact = |row: &Drift| row.quantity == QUANTITY && row.class == DriftClass::Exact;
     records.drifts.iter().any(|row| row.scene == scene && row.scheme == scheme && exact(row))
 }
 
-/// Keeps the rates that are not zero, and marks those that are positive as filled.
+/// Keeps the rates that are larger than their uncertainty, and marks those that are positive as filled.
 fn signed<'a>(mut curve: Curve<'a>, rows: &[&Measurement]) -> Curve<'a> {
-    curve.rungs.retain(|rung| rung.error.is_finite());
+    curve.rungs.retain(|rung| rung.error.is_finite() && !rung.lost);
     for rung in &mut curve.rungs {
         let same = |row: &&&Measurement| row.scheme == curve.scheme && row.step_s.log10() == rung.step;
         rung.used = rows.iter().find(same).and_then(|row| row.value).is_some_and(|value| value > 0.0);
@@ -116,7 +126,7 @@ fn draw_panel(sketch: &mut Sketch, records: &Records, palette: &Palette, one: &D
     for curve in &one.curves {
         let look = palette.look(curve.scheme);
         let places: Vec<Place> = curve.rungs.iter().map(|rung| panel.place(rung.step, rung.error)).collect();
-        sketch.line(places.clone(), look.ink, 4.0);
+        sketch.stroke(places.clone(), look.ink, 4.0, look.dash);
         for (place, rung) in places.into_iter().zip(&curve.rungs) {
             sketch.marker(look.marker, place, 10.0, look.ink, rung.used);
         }
@@ -128,16 +138,16 @@ fn draw_panel(sketch: &mut Sketch, records: &Records, palette: &Palette, one: &D
     write_orders(sketch, records, palette, one, panel.frame);
 }
 
-/// The fitted orders, in the corner that rising curves leave free, each in the colour of its scheme.
+/// The fitted orders, in the corner that rising curves leave free, each behind the marker of its scheme.
 fn write_orders(sketch: &mut Sketch, records: &Records, palette: &Palette, one: &Drifting, frame: Frame) {
     let fits = one.curves.iter().filter_map(|curve| {
-        let words = fitted_words(records, one.scene, curve.scheme)?;
-        Some((words, Type::plain(28.0, palette.look(curve.scheme).text)))
+        Some((fitted_words(records, one.scene, curve.scheme)?, palette.look(curve.scheme)))
     });
     let fits: Vec<_> = fits.collect();
-    for (row, (words, face)) in fits.iter().rev().enumerate() {
-        let place = (frame.left + 16.0, frame.bottom - 34.0 - 36.0 * row as f64);
-        sketch.text(words, place, Anchor::Start, *face);
+    for (row, (words, look)) in fits.iter().rev().enumerate() {
+        let place = (frame.left + 26.0, frame.bottom - 34.0 - 36.0 * row as f64);
+        sketch.marker(look.marker, place, 10.0, look.ink, true);
+        sketch.text(words, (place.0 + 20.0, place.1), Anchor::Start, Type::plain(28.0, look.text));
     }
 }
 

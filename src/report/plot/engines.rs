@@ -78,7 +78,7 @@ fn entries(lines: &[Line], palette: &Palette) -> Vec<Entry> {
 }
 
 /// The look of our own schemes.
-const OURS: Look = Look { ink: SOFT, text: INK, marker: Marker::Disc };
+const OURS: Look = Look { ink: SOFT, text: INK, marker: Marker::Disc, dash: &[] };
 
 fn lines<'a>(records: &'a Records, scene: &str, palette: &Palette) -> Vec<Line<'a>> {
     let metric = ranking::quantity(records, scene);

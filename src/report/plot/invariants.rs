@@ -1,4 +1,4 @@
-//! Per scene: how far the energy and the angular momentum have moved, against time.
+//! Per scene: how far what is conserved has moved, and how far energy and angular momentum under a torque are from the reference, against time.
 
 use std::sync::Arc;
 
@@ -7,7 +7,7 @@ use crate::report::{number, survey};
 
 use super::axis::Axis;
 use super::convergence_panel::bounds;
-use super::labels::{self, Label};
+use super::key::{Key, Row};
 use super::legend::{self, Entry, Sign};
 use super::palette::Palette;
 use super::panel::{self, Frame, Panel};
@@ -22,6 +22,9 @@ const NOTE: f64 = 190.0;
 const BINS: usize = 220;
 /// Markers on a curve.
 const MARKERS: usize = 12;
+/// Roundings of a step in a quantity, each of half a unit in the last place and at worst all of one sign: what n steps change it by is
+/// rounding up to ten n of them.
+const ROUNDINGS_A_STEP: f64 = 10.0;
 
 /// One scheme's quantity: (time, log₁₀ of its size, true where it is above its start).
 struct Curve<'a> {
@@ -29,43 +32,65 @@ struct Curve<'a> {
     points: Vec<(f64, f64, bool)>,
 }
 
-/// The picture; `None` where the scene has no series.
+/// The picture; `None` where the scene has no series, or where none is more than rounding.
 pub(super) fn sketch(records: &Records, palette: &Palette, scene: &str) -> Option<Sketch> {
     let here: Vec<&Series> =
         records.series.iter().map(Arc::as_ref).filter(|row| row.scene == scene).collect();
     let quantities = survey::distinct(here.iter().map(|row| row.quantity.as_str()));
-    if quantities.is_empty() {
-        return None;
-    }
     let of = |quantity: &str| here.iter().filter(|row| row.quantity == quantity).copied().collect::<Vec<_>>();
     let (still, moving): (Vec<&str>, Vec<&str>) =
         quantities.into_iter().partition(|one| of(one).iter().all(is_still));
-    let entries = entries(palette, &here);
+    if moving.is_empty() {
+        return None;
+    }
+    let shared = shared_step(&here);
+    let (key, entries) = (key(palette, &here, &moving, shared), entries());
     let room = WIDTH - 2.0 * MARGIN - 20.0;
-    let strip = legend::height(&entries, room);
     let note = if still.is_empty() { 0.0 } else { NOTE };
     let body = row_height(moving.len()) * moving.len() as f64;
-    let height = (TOP + body + 100.0 + note + strip + 2.0 * MARGIN).max(1040.0);
+    let strip = key.height(room) + legend::height(&entries, room);
+    let height = TOP + body + 100.0 + note + strip + 3.0 * MARGIN;
     let title = survey::title(records, scene);
-    let mut sketch = Sketch::new(WIDTH, height, format!("{title}: change of the invariants against time"));
-    let shared = shared_step(&here);
+    let mut sketch = Sketch::new(WIDTH, height, format!("{title}: energy and angular momentum against time"));
     panel::headline(&mut sketch, title, &subtitle(scene, shared));
     let all = Frame { left: MARGIN, top: TOP, right: WIDTH - MARGIN, bottom: TOP + body };
-    let words: Vec<String> = here.iter().map(|row| end_words(row, shared)).collect();
-    let column = labels::column_width(words.iter().map(String::as_str));
     for (index, quantity) in moving.iter().enumerate() {
-        let frame = all.cell((1, moving.len()), index).inside(140.0, 62.0, column, 14.0);
-        draw_panel(&mut sketch, palette, (&of(quantity), shared), frame, index + 1 == moving.len());
+        let frame = all.cell((1, moving.len()), index).inside(140.0, 62.0, 30.0, 14.0);
+        draw_panel(&mut sketch, palette, &of(quantity), frame, index + 1 == moving.len());
     }
+    let below = all.bottom + 100.0;
     if !still.is_empty() {
-        let top = if moving.is_empty() { TOP } else { all.bottom + 90.0 };
-        let bottom = height - strip - 2.0 * MARGIN;
-        let frame = Frame { left: all.left + 140.0, top: top + 20.0, right: all.right - column, bottom };
-        let names: Vec<String> = still.iter().map(|name| survey::quantity_words(name)).collect();
-        panel::words(&mut sketch, frame, "No change at all in any scheme", &[names.join(" · ")]);
+        note_still(&mut sketch, &still, Frame { top: below, bottom: below + note - 20.0, ..all });
     }
-    legend::draw(&mut sketch, &entries, MARGIN + 20.0, height - strip - MARGIN, room);
+    key.draw(&mut sketch, MARGIN + 20.0, below + note, room);
+    legend::draw(&mut sketch, &entries, MARGIN + 20.0, below + note + key.height(room) + MARGIN / 2.0, room);
     Some(sketch)
+}
+
+fn note_still(sketch: &mut Sketch, still: &[&str], cell: Frame) {
+    let names: Vec<String> = still.iter().map(|name| survey::quantity_words(name)).collect();
+    let frame = cell.inside(140.0, 0.0, 30.0, 0.0);
+    panel::words(sketch, frame, "Changed by rounding alone in every scheme", &[names.join(" · ")]);
+}
+
+/// A row a scheme, with the largest value of each quantity.
+fn key(palette: &Palette, here: &[&Series], moving: &[&str], shared: Option<f64>) -> Key {
+    let row = |scheme: &&str| {
+        let own = || here.iter().filter(|row| row.scheme == **scheme);
+        let step = own().next()?.step_s;
+        let cell = |quantity: &&str| match own().find(|row| row.quantity == **quantity) {
+            Some(row) if is_still(row) => "rounding".to_owned(),
+            Some(row) => number::joined(&number::significant(largest(row), 2), &row.unit),
+            None => number::NONE.to_owned(),
+        };
+        let name = match shared {
+            Some(_) => (*scheme).to_owned(),
+            None => format!("{scheme}, h = {} s", number::setting(step)),
+        };
+        Some(Row { look: palette.look(scheme), name, cells: moving.iter().map(cell).collect() })
+    };
+    let heads = moving.iter().map(|name| survey::quantity_words(name)).collect();
+    Key { heads, rows: palette.schemes().iter().filter_map(row).collect() }
 }
 
 /// Height of a panel with its title, so that few panels are not flat and many not endless.
@@ -73,8 +98,18 @@ fn row_height(panels: usize) -> f64 {
     (1080.0 / panels.max(1) as f64).clamp(330.0, 620.0)
 }
 
+fn largest(series: &Series) -> f64 {
+    series.value.iter().filter(|value| value.is_finite()).fold(0.0, |most, value| most.max(value.abs()))
+}
+
+/// What roundings may add up to by the end of the run.
+fn rounding(series: &Series) -> f64 {
+    let steps = series.time_s.last().map_or(0.0, |end| end / series.step_s);
+    ROUNDINGS_A_STEP * steps.max(1.0) * f64::EPSILON / 2.0
+}
+
 fn is_still(series: &&Series) -> bool {
-    series.value.iter().all(|value| *value == 0.0 || !value.is_finite())
+    largest(series) <= rounding(series)
 }
 
 /// The step of all series, if it is one.
@@ -85,54 +120,31 @@ fn shared_step(here: &[&Series]) -> Option<f64> {
 
 fn subtitle(scene: &str, shared: Option<f64>) -> String {
     let step = shared.map(|step| format!(" · h = {} s", number::setting(step))).unwrap_or_default();
-    format!("{scene} · size of the change since the start, against time{step}")
+    format!("{scene} · against time{step}; below, the largest of each")
 }
 
-/// What stands at a curve's end: its step, where the curves have different ones, and else the scheme.
-fn end_words(series: &Series, shared: Option<f64>) -> String {
-    match shared {
-        Some(_) => series.scheme.clone(),
-        None => format!("h = {} s", number::setting(series.step_s)),
-    }
+fn entries() -> Vec<Entry> {
+    vec![Entry::new(Sign::Filled, "above"), Entry::new(Sign::Hollow, "below its start, or the reference")]
 }
-
-fn entries(palette: &Palette, here: &[&Series]) -> Vec<Entry> {
-    let shown = palette.schemes().iter().filter(|scheme| here.iter().any(|row| row.scheme == **scheme));
-    let mut entries: Vec<Entry> =
-        shown.map(|scheme| Entry::new(Sign::Scheme(palette.look(scheme)), *scheme)).collect();
-    entries.push(Entry::new(Sign::Filled, "above its start"));
-    entries.push(Entry::new(Sign::Hollow, "below its start"));
-    entries
-}
-
-/// More schemes than these are counted in a title.
-const MOST_NAMES: usize = 3;
 
 /// Draws a panel of the series of one quantity.
-fn draw_panel(
-    sketch: &mut Sketch,
-    palette: &Palette,
-    (rows, shared): (&[&Series], Option<f64>),
-    frame: Frame,
-    lowest: bool,
-) {
-    let curves: Vec<Curve> = rows.iter().map(|row| Curve { series: row, points: envelope(row) }).collect();
+fn draw_panel(sketch: &mut Sketch, palette: &Palette, rows: &[&Series], frame: Frame, lowest: bool) {
+    let moving = rows.iter().filter(|row| !is_still(row));
+    let curves: Vec<Curve> = moving.map(|row| Curve { series: row, points: envelope(row) }).collect();
     let sizes: Vec<f64> = curves.iter().flat_map(|curve| curve.points.iter().map(|point| point.1)).collect();
     let times: Vec<f64> = rows.iter().flat_map(|row| row.time_s.iter().copied()).collect();
     let (start, end) = bounds(&times);
     let (low, high) = bounds(&sizes);
+    let floor = rows.iter().map(|row| rounding(row)).fold(f64::INFINITY, f64::min).log10();
     let head = 0.08 * (high - low).max(1.0);
-    let y = Axis::logarithmic((low - head).max(high - 16.0), high + head, 6);
+    let y = Axis::logarithmic((low - head).max(floor), high + head, 6);
     let panel = Panel { frame, x: Axis::linear(start, end, 8), y };
     panel.draw_grid(sketch);
-    let ends = curves.iter().filter_map(|curve| {
-        let end = draw_curve(sketch, palette, &panel, curve)?;
-        Some(Label { words: end_words(curve.series, shared), end, look: palette.look(&curve.series.scheme) })
-    });
-    let ends: Vec<Label> = ends.collect();
+    for curve in &curves {
+        draw_curve(sketch, palette, &panel, curve);
+    }
     panel.draw_frame(sketch);
     panel.label_y(sketch);
-    labels::draw(sketch, frame, ends);
     panel.title(sketch, &title(rows));
     if lowest {
         panel.label_x(sketch, "time t [s]");
@@ -141,18 +153,14 @@ fn draw_panel(
 
 fn title(rows: &[&Series]) -> String {
     let Some(row) = rows.first() else { return String::new() };
-    let words = survey::quantity_words(&row.quantity);
-    let still: Vec<&str> = rows.iter().filter(|row| is_still(row)).map(|row| row.scheme.as_str()).collect();
-    let mut title = match row.unit.as_str() {
-        "" | "1" => format!("|relative change| of {words}"),
-        unit => format!("|change| of {words} [{unit}]"),
-    };
-    if !still.is_empty() && still.len() < rows.len() {
-        let names =
-            if still.len() > MOST_NAMES { format!("{} schemes", still.len()) } else { still.join(", ") };
-        title += &format!(" (none at all in {names})");
+    let words = survey::quantity_words(row.quantity.trim_end_matches("-error"));
+    let is_error = row.quantity.ends_with("-error");
+    match (is_error, row.unit.as_str()) {
+        (true, "" | "1") => format!("|error of {words}| against the reference, relative"),
+        (true, unit) => format!("error of {words} against the reference [{unit}]"),
+        (false, "" | "1") => format!("|relative change| of {words}, which is conserved"),
+        (false, unit) => format!("|change| of {words}, which is conserved [{unit}]"),
     }
-    title
 }
 
 /// The largest deviation in each part of the run: an oscillation would else be drawn as a comb of its zeros.
@@ -167,15 +175,17 @@ fn envelope(series: &Series) -> Vec<(f64, f64, bool)> {
     pairs.chunks(size).filter_map(largest).map(point).collect()
 }
 
-fn draw_curve(sketch: &mut Sketch, palette: &Palette, panel: &Panel, curve: &Curve) -> Option<Place> {
+fn draw_curve(sketch: &mut Sketch, palette: &Palette, panel: &Panel, curve: &Curve) {
     let look = palette.look(&curve.series.scheme);
-    let places: Vec<Place> =
-        curve.points.iter().map(|(time, size, _)| panel.place(*time, size.max(panel.y.low))).collect();
-    let end = *places.last()?;
-    sketch.line(places.clone(), look.ink, 4.0);
-    let stride = places.len().div_ceil(MARKERS).max(1);
-    for (place, (_, _, above)) in places.iter().zip(&curve.points).skip(stride / 2).step_by(stride) {
-        sketch.marker(look.marker, *place, 11.0, look.ink, *above);
+    let seen: Vec<(Place, bool)> = curve
+        .points
+        .iter()
+        .filter(|(_, size, _)| *size >= panel.y.low)
+        .map(|(time, size, above)| (panel.place(*time, *size), *above))
+        .collect();
+    sketch.stroke(seen.iter().map(|(place, _)| *place).collect(), look.ink, 4.0, look.dash);
+    let stride = seen.len().div_ceil(MARKERS).max(1);
+    for (place, above) in seen.iter().skip(stride / 2).step_by(stride) {
+        sketch.marker(look.marker, *place, 10.0, look.ink, *above);
     }
-    Some(end)
 }

@@ -1,6 +1,6 @@
 //! Labels beside a panel, at the ends of its curves: each as near as it can be to its curve, none over another.
 
-use super::palette::{Look, tint};
+use super::palette::{GUIDE, Look};
 use super::panel::Frame;
 use super::sketch::{Anchor, Place, Sketch, Type};
 
@@ -19,29 +19,19 @@ const EM: f64 = 28.0;
 const LEADING: f64 = 38.0;
 /// From the frame to the words; the leader lines run here.
 const LEADER: f64 = 34.0;
-/// Radius of a marker before its words.
-const MARKER: f64 = 9.0;
 
 /// Width of the column that the labels need.
 pub(super) fn column_width<'a>(words: impl Iterator<Item = &'a str>) -> f64 {
     words.map(|words| Type::plain(EM, super::palette::INK).width(words)).fold(0.0, f64::max) + LEADER + 8.0
 }
 
-/// Draws the labels right of the frame, with a thin line from each curve to its label.
+/// Draws the labels right of the frame, with grey dots from each curve to its label: no line of data is dotted grey.
 pub(super) fn draw(sketch: &mut Sketch, frame: Frame, labels: Vec<Label>) {
     for (label, y) in placed(frame, labels) {
         let from = (label.end.0 + 14.0, label.end.1);
         let knee = (frame.right + 10.0, y);
-        let pale = tint(label.look.ink, 0.45);
-        sketch.line(vec![from, knee, (frame.right + LEADER - 6.0, y)], pale, 2.0);
-        write(sketch, frame, &label, y);
-    }
-}
-
-/// Draws the labels right of the frame, each behind the marker of its curve: where curves meet at the right, lines to them would meet too.
-pub(super) fn list(sketch: &mut Sketch, frame: Frame, labels: Vec<Label>) {
-    for (label, y) in placed(frame, labels) {
-        sketch.marker(label.look.marker, (frame.right + LEADER / 2.0, y), MARKER, label.look.ink, true);
+        let places = vec![from, knee, (frame.right + LEADER - 6.0, y)];
+        sketch.stroke(places, GUIDE, 2.0, &[2.0, 7.0]);
         write(sketch, frame, &label, y);
     }
 }

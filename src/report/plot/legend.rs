@@ -2,12 +2,12 @@
 
 use plotters::style::RGBColor;
 
-use super::palette::{BAND, GUIDE, INK, Look, OVER, SOFT, tint};
+use super::palette::{BAND, GUIDE, INK, Look, OVER, PALE, SOFT, tint};
 use super::sketch::{Anchor, Place, Sketch, Type};
 
 const FACE: Type = Type::plain(30.0, INK);
 /// Width of the sign before an entry's words.
-const SIGN: f64 = 76.0;
+pub(super) const SIGN: f64 = 104.0;
 /// Between an entry and the next.
 const GAP: f64 = 52.0;
 /// Height of a row.
@@ -18,6 +18,8 @@ const ROW: f64 = 50.0;
 pub(super) enum Sign {
     /// A scheme's line with its marker.
     Scheme(Look),
+    /// Lines of the schemes that are not named.
+    Others,
     /// A hollow marker.
     Hollow,
     /// A filled marker.
@@ -30,6 +32,8 @@ pub(super) enum Sign {
     Cross,
     /// The line of a front.
     Front,
+    /// A place on a front, by its number.
+    Number(usize),
     /// What stands beyond the chart.
     Arrow,
     /// A cell of a map.
@@ -93,21 +97,23 @@ pub(super) fn draw(sketch: &mut Sketch, entries: &[Entry], left: f64, top: f64, 
     }
 }
 
-fn draw_sign(sketch: &mut Sketch, sign: Sign, (x, y): Place) {
-    const LENGTH: f64 = 58.0;
+pub(super) fn draw_sign(sketch: &mut Sketch, sign: Sign, (x, y): Place) {
+    const LENGTH: f64 = 86.0;
     let middle = (x + LENGTH / 2.0, y);
     let (from, to) = ((x, y), (x + LENGTH, y));
     match sign {
         Sign::Scheme(look) => {
-            sketch.line(vec![from, to], look.ink, 5.0);
+            sketch.stroke(vec![from, to], look.ink, 5.0, look.dash);
             sketch.marker(look.marker, middle, 11.0, look.ink, true);
         }
+        Sign::Others => sketch.line(vec![from, to], PALE, 3.0),
         Sign::Hollow => sketch.marker(super::palette::Marker::Disc, middle, 11.0, SOFT, false),
         Sign::Filled => sketch.marker(super::palette::Marker::Disc, middle, 11.0, SOFT, true),
         Sign::Band => sketch.area((x, y - 14.0), (x + LENGTH, y + 14.0), tint(BAND, 1.0)),
         Sign::Guide => sketch.dashes(from, to, GUIDE, 3.0),
         Sign::Cross => sketch.cross(middle, 10.0, SOFT),
         Sign::Front => sketch.line(vec![from, to], INK, 4.0),
+        Sign::Number(number) => numbered(sketch, middle, number),
         Sign::Arrow => sketch.arrow(middle, 11.0, SOFT),
         Sign::Swatch(ink) => {
             sketch.area((x, y - 16.0), (x + LENGTH, y + 16.0), ink);
@@ -122,4 +128,11 @@ fn draw_sign(sketch: &mut Sketch, sign: Sign, (x, y): Place) {
             sketch.dashes(from, to, OVER, 5.0);
         }
     }
+}
+
+/// A number in a circle.
+pub(super) fn numbered(sketch: &mut Sketch, centre: Place, number: usize) {
+    const RADIUS: f64 = 17.0;
+    sketch.marker(super::palette::Marker::Disc, centre, RADIUS, INK, false);
+    sketch.text(&number.to_string(), centre, Anchor::Middle, Type::bold(22.0, INK));
 }

@@ -1,8 +1,7 @@
-//! Lines: a number against a number, a line for each name, labelled at its end.
+//! Lines: a number against a number, a line for each name.
 
 use super::axis::Axis;
 use super::convergence_panel::bounds;
-use super::labels::{self, Label};
 use super::legend::{self, Entry, Sign};
 use super::palette::Palette;
 use super::panel::{self, Frame, Panel};
@@ -87,8 +86,7 @@ impl LineChart {
 
 impl LinePanel {
     fn draw(&self, sketch: &mut Sketch, palette: &Palette, cell: Frame) {
-        let column = labels::column_width(self.lines.iter().map(|line| line.words.as_str()));
-        let frame = cell.inside(140.0, 60.0, column, 130.0);
+        let frame = cell.inside(140.0, 60.0, 30.0, 130.0);
         let panel = self.panel(frame);
         panel.draw_grid(sketch);
         for line in &self.lines {
@@ -98,8 +96,6 @@ impl LinePanel {
         panel.label_x(sketch, &self.across);
         panel.label_y(sketch);
         panel.title(sketch, &self.up);
-        let ends = self.lines.iter().filter_map(|line| self.label(&panel, palette, line)).collect();
-        labels::draw(sketch, frame, ends);
     }
 
     fn panel(&self, frame: Frame) -> Panel {
@@ -132,7 +128,7 @@ impl LinePanel {
         for piece in line.points.split(gap) {
             let places: Vec<Place> = piece.iter().filter_map(|point| self.place(panel, *point)).collect();
             if places.len() > 1 {
-                sketch.line(places.clone(), look.ink, 4.0);
+                sketch.stroke(places.clone(), look.ink, 4.0, look.dash);
             }
             for place in places {
                 sketch.marker(look.marker, place, 8.0, look.ink, true);
@@ -141,12 +137,5 @@ impl LinePanel {
         for (x, _) in line.points.iter().filter(|(_, value)| value.is_none()) {
             sketch.cross((panel.across(self.on(*x)), panel.frame.top + 22.0), 8.0, look.ink);
         }
-    }
-
-    /// A line is named where it leaves the panel at the right.
-    fn label(&self, panel: &Panel, palette: &Palette, line: &Line) -> Option<Label> {
-        let places = line.points.iter().filter_map(|point| self.place(panel, *point));
-        let end = places.max_by(|a, b| a.0.total_cmp(&b.0))?;
-        Some(Label { words: line.words.clone(), end, look: palette.look(&line.words) })
     }
 }

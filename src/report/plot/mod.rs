@@ -3,6 +3,7 @@
 mod axis;
 mod cheapest;
 mod colour_map;
+mod colours;
 mod convergence;
 mod convergence_panel;
 mod curves;
@@ -11,9 +12,12 @@ mod engines;
 mod font;
 pub mod heat_map;
 mod invariants;
+mod key;
 mod labels;
 mod legend;
 pub mod line_chart;
+pub mod motion;
+mod orders_panel;
 mod overview;
 mod overview_panels;
 mod palette;
@@ -22,19 +26,25 @@ mod precision;
 mod raster;
 mod render;
 mod sketch;
+mod slopes;
 mod scaling;
 mod strip;
+mod vector;
 pub(super) mod stability;
 mod work_precision;
 mod work_precision_panel;
+
+use std::collections::HashSet;
 
 use crate::record::Records;
 
 use super::ranking::Work;
 use super::survey;
 use palette::Palette;
-pub(in crate::report) use render::{Fault, alone};
+pub(in crate::report) use raster::base64;
+pub(in crate::report) use render::Fault;
 use sketch::Sketch;
+pub(in crate::report) use vector::alone;
 pub(super) use work_precision::{Cast, Group};
 
 /// What a picture shows.
@@ -101,8 +111,40 @@ impl Picture {
 
     /// The picture as an SVG element.
     pub(super) fn svg(&self) -> Result<String, Fault> {
-        render::svg(&self.sketch)
+        vector::svg(&self.sketch)
     }
+}
+
+/// The colour of each scheme, as pages write colours.
+pub(super) struct Looks(Vec<(String, String)>);
+
+impl Looks {
+    /// Of the schemes that are drawn, as their pictures have them, and of those that stand apart.
+    pub(super) fn new(records: &Records) -> Looks {
+        let main = records.without_apart();
+        let palette = Palette::of_schemes(survey::measured_schemes(&main), &main.schemes);
+        let look = |name: &str| (name.to_owned(), hexadecimal(palette.look(name).ink));
+        let mut looks: Vec<(String, String)> = palette.schemes().iter().map(|name| look(name)).collect();
+        let others = survey::measured_schemes(records).into_iter().enumerate();
+        let others = others.filter(|(_, name)| !palette.schemes().contains(name));
+        looks.extend(others.map(|(place, name)| (name.to_owned(), Looks::by_place(place))));
+        Looks(looks)
+    }
+
+    /// The colour of a scheme; ink for what is none.
+    pub(super) fn colour(&self, scheme: &str) -> String {
+        let own = self.0.iter().find(|(name, _)| name == scheme);
+        own.map_or_else(|| hexadecimal(palette::INK), |(_, colour)| colour.clone())
+    }
+
+    /// The colour of the n-th of many things.
+    pub(super) fn by_place(place: usize) -> String {
+        hexadecimal(palette::COLOURS[place % palette::COLOURS.len()])
+    }
+}
+
+fn hexadecimal(plotters::style::RGBColor(red, green, blue): plotters::style::RGBColor) -> String {
+    format!("#{red:02x}{green:02x}{blue:02x}")
 }
 
 /// Everything that the records may have a picture of.
@@ -118,12 +160,18 @@ pub(super) fn subjects(records: &Records) -> Vec<Subject> {
     for scene in survey::scenes(records) {
         subjects.push(Subject::Convergence(scene.into()));
         subjects.push(Subject::Invariants(scene.into()));
-        for cast in [Cast::Main, Cast::Everyone] {
-            subjects.extend(Group::ALL.map(|group| Subject::WorkPrecision(scene.into(), cast, group)));
-        }
+        let cast = if has_more_than_the_main_ones(records, scene) { Cast::Everyone } else { Cast::Main };
+        subjects.extend(Group::ALL.map(|group| Subject::WorkPrecision(scene.into(), cast, group)));
     }
     subjects.extend(engine_subjects(records));
     subjects
+}
+
+/// Whether schemes that stand apart were run on a scene: the picture of all shows the main ones, too.
+fn has_more_than_the_main_ones(records: &Records, scene: &str) -> bool {
+    let apart: HashSet<&str> =
+        records.schemes.iter().filter(|row| row.apart).map(|row| row.name.as_str()).collect();
+    records.measurements.iter().any(|row| row.scene == scene && apart.contains(row.scheme.as_str()))
 }
 
 /// The pictures of foreign programs: none where there is no program.
@@ -156,14 +204,14 @@ pub(super) fn lay_out(
     subject: &Subject,
 ) -> Result<Option<Picture>, Fault> {
     font::register().map_err(|why| Fault(why.into()))?;
-    let palette = Palette::new(survey::measured_schemes(main));
+    let palette = Palette::of_schemes(survey::measured_schemes(main), &main.schemes);
     let sketch = match subject {
         Subject::Overview => overview::sketch(main, &palette),
         Subject::DriftRates => drift::sketch(main, &palette),
         Subject::Convergence(scene) => convergence::sketch(main, &palette, scene),
         Subject::Invariants(scene) => invariants::sketch(main, &palette, scene),
         Subject::WorkPrecision(scene, cast, group) => {
-            work_precision::sketch(records, main, scene, (*cast, *group))
+            work_precision::sketch(records, main, &palette, scene, (*cast, *group))
         }
         Subject::Cheapest(work) => cheapest::sketch(records, *work),
         Subject::Scaling => scaling::sketch(records),

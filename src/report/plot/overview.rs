@@ -2,19 +2,25 @@
 //! claimed ones.
 
 use crate::record::{OrderStatus, Records};
+use crate::report::number;
 use crate::report::survey::{self, Outcome};
 
+use super::key::{Key, Row};
 use super::legend::{self, Entry, Sign};
+use super::orders_panel;
 use super::overview_panels as panels;
 use super::palette::Palette;
 use super::panel::{self, Frame};
 use super::sketch::Sketch;
 
-const WIDTH: f64 = 2800.0;
+const WIDTH: f64 = 3000.0;
 const TOP: f64 = 220.0;
 const MARGIN: f64 = 40.0;
 /// Height of a scene's row.
 const ROW: f64 = 46.0;
+/// Between the right edge of the errors and the left edge of the orders: the names of the scenes.
+const ERRORS_END: f64 = 1080.0;
+const ORDERS_BEGIN: f64 = 1690.0;
 /// The quantities that stand for a scene, the first that has an order.
 const QUANTITIES: [&str; 2] = ["orientation-end", "body-point-end"];
 
@@ -28,11 +34,14 @@ pub(super) fn sketch(records: &Records, palette: &Palette) -> Option<Sketch> {
     };
     let quantity = QUANTITIES.into_iter().find(fitted)?;
     let scenes = ordered_scenes(records);
-    let body = (ROW * scenes.len() as f64 + 40.0).clamp(900.0, 1900.0);
-    let entries = entries(palette, quantity);
+    let columns = columns(records, palette);
+    let head = columns.iter().map(|(scheme, _)| panels::NAME.width(scheme)).fold(0.0, f64::max) + 20.0;
+    let body = head + (ROW * scenes.len() as f64 + 40.0).clamp(400.0, 2200.0);
+    let entries = entries(quantity);
+    let key = key(records, palette);
     let room = WIDTH - 2.0 * MARGIN;
-    let strip = legend::height(&entries, room);
-    let height = TOP + body + 120.0 + strip + MARGIN;
+    let bottom = TOP + body.max(900.0);
+    let height = bottom + 130.0 + key.height(room) + legend::height(&entries, room) + MARGIN;
     let mut sketch =
         Sketch::new(WIDTH, height, "Measured order of accuracy of every scheme and scene".into());
     panel::headline(
@@ -40,13 +49,29 @@ pub(super) fn sketch(records: &Records, palette: &Palette) -> Option<Sketch> {
         "Measured order of accuracy of rigid-body schemes",
         &subtitle(records, &scenes),
     );
-    let all = Frame { left: MARGIN, top: TOP, right: WIDTH - MARGIN, bottom: TOP + body };
-    let errors = Frame { left: all.left + 110.0, right: 1270.0, ..all };
-    let orders = Frame { left: 1850.0, right: all.right - 10.0, ..all };
+    let errors = Frame { left: MARGIN + 110.0, top: TOP, right: ERRORS_END, bottom };
+    let orders = Frame { left: ORDERS_BEGIN, top: TOP + head, right: WIDTH - MARGIN, bottom };
     panels::draw_errors(&mut sketch, records, palette, (&scenes, quantity), errors);
-    panels::draw_orders(&mut sketch, records, palette, (&scenes, quantity), orders);
-    legend::draw(&mut sketch, &entries, MARGIN, height - strip - MARGIN / 2.0, room);
+    orders_panel::draw(&mut sketch, records, palette, (&scenes, &columns, quantity), orders);
+    key.draw(&mut sketch, MARGIN, bottom + 120.0, room);
+    legend::draw(&mut sketch, &entries, MARGIN, bottom + 130.0 + key.height(room), room);
     Some(sketch)
+}
+
+/// The schemes that claim an order, each with it.
+fn columns<'a>(records: &Records, palette: &Palette<'a>) -> Vec<(&'a str, u32)> {
+    let column = |scheme: &&'a str| Some((*scheme, survey::claimed_order(records, scheme)?));
+    palette.schemes().iter().filter_map(column).collect()
+}
+
+/// A row a scheme, with its claim and in how many scenes it was measured.
+fn key(records: &Records, palette: &Palette) -> Key {
+    let row = |scheme: &&str| {
+        let claim =
+            survey::claimed_order(records, scheme).map_or(number::NONE.into(), |order| order.to_string());
+        Row { look: palette.look(scheme), name: (*scheme).into(), cells: vec![claim] }
+    };
+    Key { heads: vec!["claimed order".into()], rows: palette.schemes().iter().map(row).collect() }
 }
 
 /// The scenes in which some order was fitted.
@@ -68,13 +93,12 @@ fn subtitle(records: &Records, scenes: &[&str]) -> String {
     format!("verdicts: {} · {} scenes with an order{apart}", survey::tally_words(&shown), scenes.len())
 }
 
-fn entries(palette: &Palette, quantity: &str) -> Vec<Entry> {
-    let schemes = palette.schemes().iter();
-    let mut entries: Vec<Entry> =
-        schemes.map(|scheme| Entry::new(Sign::Scheme(palette.look(scheme)), *scheme)).collect();
-    entries.push(Entry::new(Sign::Guide, "guide of whole slope"));
-    entries.push(Entry::new(Sign::Band, "claimed order ± 0.15"));
+fn entries(quantity: &str) -> Vec<Entry> {
     let words = survey::quantity_words(quantity);
-    entries.push(Entry::new(Sign::Filled, format!("large: {words}; small: other quantities")));
-    entries
+    vec![
+        Entry::new(Sign::Guide, "slope of a whole order"),
+        Entry::new(Sign::Band, "claimed order ± 0.15; a column reaches to ± 0.3"),
+        Entry::new(Sign::Hollow, "beyond the column"),
+        Entry::new(Sign::Filled, format!("large: {words}; small: other quantities")),
+    ]
 }

@@ -100,7 +100,12 @@ fn draw(
                 _ => (tint(look.ink, 0.25), TRUNCATION),
             };
             if places.len() > 1 {
-                sketch.line(places.clone(), ink, width);
+                sketch.stroke(
+                    places.clone(),
+                    ink,
+                    width,
+                    if layer == "double-double" { &[] } else { look.dash },
+                );
             }
             if layer == "f32" {
                 for place in places {

@@ -15,7 +15,7 @@ pub(super) fn element(
     let pixels: Vec<u8> =
         colours.iter().flat_map(|RGBColor(red, green, blue)| [*red, *green, *blue]).collect();
     let rows = colours.len() / columns.max(1);
-    let bytes = encode(columns as u32, rows as u32, std::iter::once(Ok(pixels)))?;
+    let bytes = encode(columns as u32, rows as u32, &pixels)?;
     Ok(format!(
         "<image x=\"{:.1}\" y=\"{:.1}\" width=\"{:.1}\" height=\"{:.1}\" preserveAspectRatio=\"none\" \
          style=\"image-rendering:pixelated\" href=\"data:image/png;base64,{}\"/>",
@@ -28,7 +28,7 @@ pub(super) fn element(
 }
 
 /// Base64 with padding (RFC 4648, section 4).
-fn base64(bytes: &[u8]) -> String {
+pub(in crate::report) fn base64(bytes: &[u8]) -> String {
     const ALPHABET: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
     for group in bytes.chunks(3) {

@@ -50,19 +50,54 @@ impl Type {
     }
 }
 
+/// Lengths of dashes and gaps, one after the other; empty for a line without gaps.
+pub(super) type Dash = &'static [f64];
+
+/// The dashes of a line through places; they run on around its corners.
+pub(super) fn dashes(places: &[Place], pattern: Dash) -> Vec<Vec<Place>> {
+    let mut lengths = pattern.iter().copied().cycle();
+    let Some(mut left) = lengths.next() else { return vec![places.to_vec()] };
+    let (mut drawing, mut dashes) = (true, Vec::new());
+    let mut dash: Vec<Place> = places.first().copied().into_iter().collect();
+    for pair in places.windows(2) {
+        let length = (pair[1].0 - pair[0].0).hypot(pair[1].1 - pair[0].1);
+        let at = |s: f64| {
+            let part = s / length;
+            (pair[0].0 + part * (pair[1].0 - pair[0].0), pair[0].1 + part * (pair[1].1 - pair[0].1))
+        };
+        let mut along = 0.0;
+        while length - along > left {
+            along += left;
+            dash.push(at(along));
+            if drawing {
+                dashes.push(std::mem::take(&mut dash));
+            }
+            dash = vec![at(along)];
+            drawing = !drawing;
+            left = lengths.next().unwrap_or(f64::INFINITY);
+        }
+        left -= length - along;
+        dash.push(pair[1]);
+    }
+    if drawing && dash.len() > 1 {
+        dashes.push(dash);
+    }
+    dashes
+}
+
 /// One thing to draw.
 #[derive(Clone, Debug)]
 pub(super) enum Shape {
-    /// A line through places.
-    Line { places: Vec<Place>, ink: RGBColor, width: f64 },
+    /// A line through places, in dashes of these lengths and gaps; none where it is whole.
+    Line { places: Vec<Place>, ink: RGBColor, width: f64, dash: Dash },
     /// A filled polygon.
     Area { corners: Vec<Place>, ink: RGBColor },
     /// A filled disc.
     Disc { centre: Place, radius: f64, ink: RGBColor },
     /// A rectangle of equal cells, row after row from the upper left corner.
     Raster { low: Place, high: Place, columns: usize, colours: Vec<RGBColor> },
-    /// A text, its middle height at the place.
-    Text { text: String, place: Place, anchor: Anchor, face: Type },
+    /// A text, its middle height at the place; turned, it reads upwards.
+    Text { text: String, place: Place, anchor: Anchor, face: Type, turned: bool },
 }
 
 impl Shape {
@@ -77,6 +112,7 @@ impl Shape {
             Shape::Area { corners, .. } => around(corners, 1.0),
             Shape::Disc { centre, radius, .. } => around(&[*centre], radius + 1.0),
             Shape::Raster { low, high, .. } => around(&[*low, *high], 1.0),
+            Shape::Text { text, place, face, turned: true, .. } => around(&[*place], face.width(text)),
             // Accents and descenders of a typeface stay within two ems of the middle of a line.
             Shape::Text { place, face, .. } => around(&[*place], 2.0 * face.em),
         }
@@ -107,7 +143,12 @@ impl Sketch {
 
     /// Adds a line.
     pub(super) fn line(&mut self, places: Vec<Place>, ink: RGBColor, width: f64) {
-        self.shapes.push(Shape::Line { places, ink, width });
+        self.stroke(places, ink, width, &[]);
+    }
+
+    /// Adds a line in dashes.
+    pub(super) fn stroke(&mut self, places: Vec<Place>, ink: RGBColor, width: f64, dash: Dash) {
+        self.shapes.push(Shape::Line { places, ink, width, dash });
     }
 
     /// Adds a straight dashed line.
@@ -117,33 +158,7 @@ impl Sketch {
 
     /// Adds a dashed line through places; the dashes run on around its corners.
     pub(super) fn dashed(&mut self, places: &[Place], ink: RGBColor, width: f64) {
-        const DASH: f64 = 22.0;
-        const GAP: f64 = 14.0;
-        let (mut drawing, mut left) = (true, DASH);
-        let mut dash: Vec<Place> = places.first().copied().into_iter().collect();
-        for pair in places.windows(2) {
-            let length = (pair[1].0 - pair[0].0).hypot(pair[1].1 - pair[0].1);
-            let at = |s: f64| {
-                let part = s / length;
-                (pair[0].0 + part * (pair[1].0 - pair[0].0), pair[0].1 + part * (pair[1].1 - pair[0].1))
-            };
-            let mut along = 0.0;
-            while length - along > left {
-                along += left;
-                dash.push(at(along));
-                if drawing {
-                    self.line(std::mem::take(&mut dash), ink, width);
-                }
-                dash = vec![at(along)];
-                drawing = !drawing;
-                left = if drawing { DASH } else { GAP };
-            }
-            left -= length - along;
-            dash.push(pair[1]);
-        }
-        if drawing && dash.len() > 1 {
-            self.line(dash, ink, width);
-        }
+        self.stroke(places.to_vec(), ink, width, &[22.0, 14.0]);
     }
 
     /// Adds a filled upright rectangle.
@@ -170,7 +185,13 @@ impl Sketch {
 
     /// Adds a level text, its middle height at the place.
     pub(super) fn text(&mut self, text: &str, place: Place, anchor: Anchor, face: Type) {
-        self.shapes.push(Shape::Text { text: text.into(), place, anchor, face });
+        self.shapes.push(Shape::Text { text: text.into(), place, anchor, face, turned: false });
+    }
+
+    /// Adds a text that reads upwards from the place.
+    pub(super) fn upright(&mut self, text: &str, place: Place, face: Type) {
+        let (text, anchor) = (text.into(), Anchor::Start);
+        self.shapes.push(Shape::Text { text, place, anchor, face, turned: true });
     }
 
     /// Adds a marker, filled or hollow.

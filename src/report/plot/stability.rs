@@ -1,5 +1,6 @@
 //! The curves of a study of stability: limits beside theory, energy over many steps, and the law of the energy.
 
+use crate::record::SchemeRow;
 use crate::record::stability::{LimitStatus, LinearLimit, LongRun, Meaning, Stability};
 use crate::report::survey;
 
@@ -63,7 +64,7 @@ fn limits(study: &Stability) -> Option<Sketch> {
     for (index, scene) in shown.iter().enumerate() {
         draw_scene(&mut sketch, study, scene, &schemes, frame(index + 1), &row);
     }
-    let look = |marker, ink| Sign::Scheme(Look { ink, text: ink, marker });
+    let look = |marker, ink| Sign::Scheme(Look { ink, text: ink, marker, dash: &[] });
     let entries = [
         Entry::new(Sign::Filled, "spring-held body: measured"),
         Entry::new(Sign::Cross, "theory"),
@@ -165,7 +166,9 @@ fn long_runs(runs: &[LongRun]) -> Option<Sketch> {
     if scenes.is_empty() {
         return None;
     }
-    let palette = Palette::new(survey::distinct(runs.iter().map(|run| run.scheme.as_str())));
+    let card = |run: &LongRun| SchemeRow { name: run.scheme.clone(), look: run.look, ..SchemeRow::default() };
+    let cards: Vec<SchemeRow> = runs.iter().map(card).collect();
+    let palette = Palette::of_schemes(survey::distinct(runs.iter().map(|run| run.scheme.as_str())), &cards);
     let mut entries: Vec<Entry> = palette
         .schemes()
         .iter()
@@ -209,7 +212,7 @@ fn draw_long(sketch: &mut Sketch, runs: &[LongRun], scene: &str, palette: &Palet
                 panel.place((*n as f64).log10(), change.abs().clamp(LEAST_CHANGE, 10.0).log10())
             })
             .collect();
-        sketch.line(places.clone(), look.ink, 3.0);
+        sketch.stroke(places.clone(), look.ink, 3.0, look.dash);
         for place in places.iter().step_by(8) {
             sketch.marker(look.marker, *place, 8.0, look.ink, true);
         }

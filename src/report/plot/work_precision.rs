@@ -1,29 +1,28 @@
-//! Per scene: the errors of every quantity against what they cost: nanoseconds a simulated second, force evaluations a simulated
-//! second, and against the step. A scheme is a line; the Pareto front, where nothing has a smaller error for less work, is
-//! drawn over them, and what the reference leaves undecided is a band.
+//! Per scene: the error of the orientation, or of the position, against what it costs: nanoseconds a simulated second, and force evaluations a
+//! simulated second. A main scheme is a line in its colour, any other is grey; the Pareto front, where nothing has a smaller error for less
+//! work, is drawn over them, and errors below the uncertainty of the reference lie in a band.
 
 use crate::record::Records;
 use crate::report::ranking::{self, Ladder, Work};
 use crate::report::{number, survey};
 
 use super::curves;
-use super::labels;
+use super::key::{self, Key};
 use super::legend::{self, Entry, Sign};
 use super::palette::Palette;
 use super::panel::{self, Frame};
-use super::sketch::{Anchor, Sketch};
-use super::work_precision_panel::{self as one, Names};
+use super::sketch::Sketch;
+use super::work_precision_panel as one;
 
 const WIDTH: f64 = 2600.0;
 const TOP: f64 = 150.0;
 const MARGIN: f64 = 30.0;
-const ROW: f64 = 660.0;
+const ROW: f64 = 900.0;
 
-/// The columns, with what stands under each.
-const COLUMNS: [(Work, &str); 3] = [
+/// The columns, with what stands under each. The error against the step has a picture of its own.
+const COLUMNS: [(Work, &str); 2] = [
     (Work::Nanoseconds, "nanoseconds a simulated second"),
     (Work::Evaluations, "force evaluations a simulated second"),
-    (Work::Step, "step h [s]"),
 ];
 
 /// Whose lines are drawn, and by what name they are told apart.
@@ -31,7 +30,7 @@ const COLUMNS: [(Work, &str); 3] = [
 pub(in crate::report) enum Cast {
     /// The main schemes, each by itself.
     Main,
-    /// Every scheme, by its family.
+    /// Every scheme: grey, with the main ones in their colours.
     Everyone,
 }
 
@@ -56,24 +55,26 @@ impl Group {
         }
     }
 
-    fn holds(self, quantity: &str) -> bool {
-        let turns = matches!(quantity, "orientation" | "angular-velocity" | "angular-momentum");
-        turns == (self == Group::Rotation)
+    /// The quantity that stands for the group: those of a group converge alike, and the error against the step shows all of them.
+    fn quantity(self) -> &'static str {
+        match self {
+            Group::Rotation => "orientation",
+            Group::Motion => "position",
+        }
     }
 }
 
 /// A quantity's ladders, one list a column.
 struct Row<'a> {
     title: String,
-    unit: String,
-    ladders: [Vec<Ladder<'a>>; 3],
+    ladders: [Vec<Ladder<'a>>; 2],
     floor: Option<f64>,
 }
 
 impl Row<'_> {
     /// Whether the floor of the reference is a band of the panels, and not far below them.
     fn shows_floor(&self) -> bool {
-        let errors = self.ladders[2].iter().flat_map(|ladder| &ladder.points).map(|point| point.error);
+        let errors = self.ladders[1].iter().flat_map(|ladder| &ladder.points).map(|point| point.error);
         let least = errors.fold(f64::INFINITY, f64::min);
         self.floor.is_some_and(|floor| floor > least - one::FLOOR_IN_SIGHT)
     }
@@ -83,50 +84,43 @@ impl Row<'_> {
 pub(super) fn sketch(
     records: &Records,
     main: &Records,
+    palette: &Palette,
     scene: &str,
     (cast, group): (Cast, Group),
 ) -> Option<Sketch> {
     let records = if cast == Cast::Main { main } else { records };
     let rows = rows(records, main, scene, (cast, group));
-    let schemes = survey::distinct(rows.iter().flat_map(|row| row.ladders[2].iter().map(|l| l.scheme)));
+    let ladders = || rows.iter().flat_map(|row| row.ladders.iter().flatten());
+    let schemes = survey::distinct(ladders().map(|ladder| ladder.scheme));
     if schemes.len() < 2 {
         return None;
     }
-    // Schemes keep their looks from picture to picture; so do families.
-    let palette = match cast {
-        Cast::Main => Palette::new(survey::measured_schemes(main)),
-        Cast::Everyone => {
-            Palette::new(survey::distinct(records.schemes.iter().map(|row| row.family.as_str())))
-        }
-    };
-    let shown = |name: &&&str| {
-        rows.iter().flat_map(|row| &row.ladders[2]).any(|ladder| one::name(ladder, cast) == **name)
-    };
-    let entries = entries(&palette, palette.schemes().iter().filter(shown).copied().collect(), &rows);
+    let named: Vec<&str> = palette.schemes().iter().copied().filter(|name| schemes.contains(name)).collect();
+    let fronts = fronts(&rows, &named);
+    let key = key(palette, &named);
+    let entries = entries(&rows, &fronts, schemes.len() - named.len());
     let room = WIDTH - 2.0 * MARGIN - 20.0;
-    let strip = legend::height(&entries, room);
-    let height = (TOP + ROW * rows.len() as f64 + strip + 2.0 * MARGIN).max(1000.0);
+    let bottom = TOP + ROW * rows.len() as f64;
+    let height = bottom + key.height(room) + legend::height(&entries, room) + 3.0 * MARGIN;
     let title = survey::title(records, scene);
     let mut sketch =
-        Sketch::new(WIDTH, height, format!("{title}: errors of the {} against cost and step", group.word()));
-    let timed = rows.iter().all(|row| row.ladders[0].len() == row.ladders[2].len());
-    let whose = match cast {
-        Cast::Main => "",
-        Cast::Everyone if timed => " · every scheme, by family",
-        Cast::Everyone => " · every scheme, by family; at the left those that were timed",
-    };
-    let subtitle = format!("{scene} · {}{whose} · error at the end of the run", group.word());
+        Sketch::new(WIDTH, height, format!("{title}: errors of the {} against cost", group.word()));
+    let subtitle = format!(
+        "{scene} · {} · {} · error at the end of the run",
+        group.word(),
+        number::counted(schemes.len(), "scheme")
+    );
     panel::headline(&mut sketch, title, &subtitle);
-    let bottom = TOP + ROW * rows.len() as f64;
     let all = Frame { left: MARGIN, top: TOP, right: WIDTH - MARGIN, bottom };
     for (index, row) in rows.iter().enumerate() {
-        draw_row(&mut sketch, &palette, row, all.cell((1, rows.len()), index), cast);
+        draw_row(&mut sketch, palette, row, all.cell((1, rows.len()), index), &fronts);
     }
-    legend::draw(&mut sketch, &entries, MARGIN + 20.0, bottom + MARGIN, room);
+    key.draw(&mut sketch, MARGIN + 20.0, bottom + MARGIN, room);
+    legend::draw(&mut sketch, &entries, MARGIN + 20.0, bottom + 1.5 * MARGIN + key.height(room), room);
     Some(sketch)
 }
 
-/// The quantities that some scheme has an error in that is not rounding.
+/// The quantities that some scheme has an error in that is not rounding, at two steps at least.
 fn rows<'a>(
     records: &'a Records,
     main: &'a Records,
@@ -139,16 +133,16 @@ fn rows<'a>(
         let floor = ranking::floor(records, scene, &metric);
         let words = survey::quantity_words(quantity.name);
         let title = format!("{} error [{}]", survey::capital(&words), quantity.unit);
-        Row { title, unit: quantity.unit.to_owned(), ladders, floor }
+        Row { title, ladders, floor }
     };
-    let tells = |row: &Row| row.ladders[2].iter().any(|ladder| ladder.points.iter().any(|p| !p.lost));
-    // Beside the main schemes, which have a picture of their own, everyone must be more of them.
-    let more = |row: &Row| cast == Cast::Main || row.ladders[2].iter().any(|l| is_apart(main, l.scheme));
+    let tells = |ladder: &Ladder| ladder.points.len() > 1 && ladder.points.iter().any(|point| !point.lost);
+    // Beside the main schemes, which have a picture to themselves, everyone must be more of them.
+    let more = |row: &Row| cast == Cast::Main || row.ladders[1].iter().any(|l| is_apart(main, l.scheme));
     curves::at_the_end(records, scene)
         .into_iter()
-        .filter(|q| group.holds(q.name))
+        .filter(|one| one.name == group.quantity())
         .map(of)
-        .filter(|row| tells(row) && more(row))
+        .filter(|row| row.ladders[1].iter().any(tells) && more(row))
         .collect()
 }
 
@@ -156,16 +150,33 @@ fn is_apart(main: &Records, scheme: &str) -> bool {
     main.schemes.iter().all(|row| row.name != scheme)
 }
 
-fn entries(palette: &Palette, names: Vec<&str>, rows: &[Row]) -> Vec<Entry> {
-    let mut entries: Vec<Entry> =
-        names.into_iter().map(|name| Entry::new(Sign::Scheme(palette.look(name)), name)).collect();
-    let ladders = || rows.iter().flat_map(|row| &row.ladders[2]);
-    entries.push(Entry::new(Sign::Front, "Pareto front"));
+/// The schemes on any front that have no colour, in the order of their first place.
+fn fronts<'a>(rows: &[Row<'a>], named: &[&str]) -> Vec<&'a str> {
+    let fronts = rows.iter().flat_map(|row| &row.ladders).flat_map(|ladders| ranking::front(ladders));
+    let mut schemes = survey::distinct(fronts.map(|(scheme, ..)| scheme));
+    schemes.retain(|scheme| !named.contains(scheme));
+    schemes
+}
+
+/// A row a scheme.
+fn key(palette: &Palette, named: &[&str]) -> Key {
+    let row = |name: &&str| key::Row { look: palette.look(name), name: (*name).into(), cells: Vec::new() };
+    Key { heads: Vec::new(), rows: named.iter().map(row).collect() }
+}
+
+fn entries(rows: &[Row], fronts: &[&str], others: usize) -> Vec<Entry> {
+    let ladders = || rows.iter().flat_map(|row| &row.ladders[1]);
+    let mut entries = vec![Entry::new(Sign::Front, "Pareto front")];
+    let numbered = |(index, name): (usize, &&str)| Entry::new(Sign::Number(index + 1), *name);
+    entries.extend(fronts.iter().enumerate().map(numbered));
+    if others > fronts.len() {
+        entries.push(Entry::new(Sign::Others, format!("{} other schemes", others - fronts.len())));
+    }
     if ladders().any(|ladder| ladder.points.iter().any(|point| point.lost)) {
         entries.push(Entry::new(Sign::Hollow, "at the floor of reference or rounding"));
     }
-    if rows.iter().any(|row| row.shows_floor()) {
-        entries.push(Entry::new(Sign::Band, "what the reference leaves undecided"));
+    if rows.iter().any(Row::shows_floor) {
+        entries.push(Entry::new(Sign::Band, "below the uncertainty of the reference"));
     }
     if ladders().any(|ladder| !ladder.broken.is_empty()) {
         entries.push(Entry::new(Sign::Cross, "run broke"));
@@ -176,43 +187,16 @@ fn entries(palette: &Palette, names: Vec<&str>, rows: &[Row]) -> Vec<Entry> {
     entries
 }
 
-fn draw_row(sketch: &mut Sketch, palette: &Palette, row: &Row, cell: Frame, cast: Cast) {
-    // The lines of the main schemes are named once, at the right; on a front of many, those that hold it are named in each panel.
-    let names = [Names::Front, Names::Front, Names::Ends].map(|names| match (cast, names) {
-        (Cast::Main, Names::Front) => Names::None,
-        (Cast::Everyone, Names::Ends) => Names::None,
-        (_, names) => names,
-    });
-    let width = |(ladders, names): (&Vec<Ladder>, Names)| match one::names(ladders, names) {
-        list if list.is_empty() => 24.0,
-        list => labels::column_width(list.into_iter()),
-    };
-    let widths: Vec<f64> = row.ladders.iter().zip(names).map(width).collect();
-    const LEFT: f64 = 118.0;
-    let panel = (cell.right - cell.left - widths.iter().sum::<f64>()) / 3.0 - LEFT;
-    let mut left = cell.left;
+fn draw_row(sketch: &mut Sketch, palette: &Palette, row: &Row, cell: Frame, fronts: &[&str]) {
     for (index, (_, words)) in COLUMNS.iter().enumerate() {
-        let frame = Frame {
-            left: left + LEFT,
-            top: cell.top + 66.0,
-            right: left + LEFT + panel,
-            bottom: cell.bottom - 116.0,
-        };
-        left = frame.right + widths[index];
-        let title = if index == 0 { row.title.as_str() } else { "" };
+        let frame = cell.cell((COLUMNS.len(), 1), index).inside(124.0, 66.0, 26.0, 116.0);
         let view = one::View {
             ladders: &row.ladders[index],
-            all: &row.ladders[2],
+            all: &row.ladders[1],
             floor: row.floor,
-            front: index < 2,
-            names: names[index],
-            cast,
+            palette,
+            fronts,
         };
-        view.draw(sketch, palette, frame, title, words);
-        if let Some(floor) = row.floor.filter(|_| index == 2) {
-            let good = number::significant(10f64.powf(floor), 1);
-            let words = format!("reference good to {}", number::joined(&good, &row.unit));
-            sketch.text(&words, (frame.right, frame.top - 30.0), Anchor::End, panel::TICK);
-        }
+        view.draw(sketch, frame, if index == 0 { &row.title } else { "" }, words);
     }
 }

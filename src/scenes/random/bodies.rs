@@ -28,10 +28,10 @@ pub(super) struct Drawn {
 
 /// How a unit body starts.
 pub(super) struct Start {
-    orientation: Rotation,
+    pub orientation: Rotation,
     pub position: Option<Vector3<f64>>,
     pub velocity: Option<Vector3<f64>>,
-    spin: Vector3<f64>,
+    pub spin: Vector3<f64>,
     /// |Ω|.
     pub rate: f64,
 }
@@ -54,6 +54,23 @@ impl Drawn {
                 && within_condition(&body)
             {
                 return Drawn { body, given, inertia, pivot };
+            }
+        }
+    }
+
+    /// An extended body whose largest moment is so many times the smallest.
+    pub fn squeezed(draw: &mut Draw, ratio: (f64, f64)) -> Drawn {
+        loop {
+            // A body of length 1 and width s has moments of about s² and 1.
+            let squeeze = |draw: &mut Draw| draw.logarithmic(1.0 / ratio.1, 1.0 / ratio.0).sqrt();
+            let axes = Vector3::new(1.0, squeeze(draw), squeeze(draw));
+            let count = 3 + draw.below(MOST_POINTS - 2);
+            let given = points_along(draw, count, axes);
+            let pivot = draw.chance(0.25).then(|| draw.vector(0.7));
+            let Ok((body, _)) = Body::from_points(&given, pivot) else { continue };
+            let apart = body.moments.max() / body.moments.min();
+            if body.shape == Shape::Extended && (ratio.0..=ratio.1).contains(&apart) {
+                return Drawn { body, given, inertia: None, pivot };
             }
         }
     }
@@ -181,6 +198,11 @@ fn points(draw: &mut Draw) -> Vec<MassPoint> {
     let count = 3 + draw.below(MOST_POINTS - 2);
     let squeezed = |draw: &mut Draw| if draw.chance(0.5) { 1.0 } else { draw.logarithmic(0.01, 1.0) };
     let axes = Vector3::new(1.0, squeezed(draw), squeezed(draw));
+    points_along(draw, count, axes)
+}
+
+/// So many points, stretched along these axes.
+fn points_along(draw: &mut Draw, count: usize, axes: Vector3<f64>) -> Vec<MassPoint> {
     let turn = if draw.chance(0.5) { rotation::turn(&draw.vector(1.5)) } else { Rotation::identity() };
     let off = draw.vector(0.5);
     (0..count)

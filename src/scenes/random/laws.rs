@@ -10,11 +10,13 @@ impl Units {
         match dimension {
             Dimension::Pure => 1.0,
             Dimension::Length => self.length,
+            Dimension::Time => self.time,
             Dimension::Frequency => 1.0 / self.time,
             Dimension::Velocity => self.velocity(),
             Dimension::Acceleration => self.acceleration(),
             Dimension::Force => self.force(),
             Dimension::Torque => self.force() * self.length,
+            Dimension::AngularMomentum => self.inertia() / self.time,
             Dimension::Stiffness => self.force() / self.length,
             Dimension::Damping => self.mass / self.time,
             Dimension::Central => self.length * self.length * self.acceleration(),
@@ -33,6 +35,11 @@ pub(super) struct Mix {
 }
 
 impl Mix {
+    /// No law.
+    pub fn none() -> Mix {
+        Mix { laws: Vec::new(), rate: 0.0, kink: false }
+    }
+
     pub fn names(&self) -> Vec<&'static str> {
         self.laws.iter().map(Law::name).collect()
     }

@@ -1,15 +1,19 @@
 //! Scenes drawn by chance, from a seed: what nobody has chosen, and so what nobody has chosen well.
 //!
+//! Scenes of the family [`Family::Ordinary`] have numbers of a moderate size. The other families are extreme in one respect each.
+//!
 //! A scene is drawn as the text of a scene file, so that whatever it shows can be shown again. Its numbers are those of a
 //! unit body (size, mass and rate of about one) told in units that lie up to four powers of ten apart. Half of the scenes have
 //! numbers of ten binary digits and units that are powers of two.
 
 mod bodies;
+mod family;
 mod laws;
 
 use super::{Scene, SceneError};
 use crate::model::forces::draw::{Draw, Surroundings};
 use bodies::Drawn;
+pub use family::Family;
 
 /// Radians that the fastest motion of a scene turns through, at least and at most.
 const RADIANS: (f64, f64) = (3.0, 60.0);
@@ -48,12 +52,12 @@ impl Units {
     }
 }
 
-/// The text of the scene of this number.
-pub fn text(seed: u64, number: u64) -> String {
+/// The text of the scene of this number in a family.
+pub fn text(family: Family, seed: u64, number: u64) -> String {
     let mut draw = Draw::of(seed, number);
-    let units = Units::draw(&mut draw);
-    let body = Drawn::draw(&mut draw);
-    let start = body.start(&mut draw);
+    let units = family.units(Units::draw(&mut draw));
+    let body = family.body(&mut draw);
+    let start = family.start(body.start(&mut draw), &body, &units, &mut draw);
     let around = Surroundings {
         body: &body.body,
         origin: body.origin(),
@@ -61,18 +65,16 @@ pub fn text(seed: u64, number: u64) -> String {
         velocity: start.velocity,
         radians: RADIANS.1,
     };
-    let forces = laws::draw(&mut draw, &around);
+    let forces = if family == Family::Tumbling { laws::Mix::none() } else { laws::draw(&mut draw, &around) };
     let fastest = forces.rate + start.rate;
-    let radians = draw.logarithmic(RADIANS.0, RADIANS.1);
+    let radians = draw.logarithmic(RADIANS.0, RADIANS.1) * family.longer();
     let duration = draw.number(radians / fastest.max(1e-3)) * units.time;
     let kink = match forces.kink {
-        true => {
-            "not_for_order = \"the force has a kink on touching and leaving the ground: no scheme keeps its order across it\"\n"
-        }
+        true => "not_for_order = \"a force has a kink or a jump: no scheme keeps its order across it\"\n",
         false => "",
     };
     format!(
-        "name = \"random-{seed}-{number}\"\ntitle = \"{}\"\nduration = {duration:?}\n{kink}\n[body]\n{}\n[initial]\n{}{}",
+        "name = \"{family}-{seed}-{number}\"\ntitle = \"{}\"\nduration = {duration:?}\n{kink}\n[body]\n{}\n[initial]\n{}{}",
         title(&body, &forces),
         body.text(&units),
         start.text(&units),
@@ -88,10 +90,10 @@ fn title(body: &Drawn, forces: &laws::Mix) -> String {
     format!("{} under {laws}", body.words())
 }
 
-/// The scene of this number.
+/// The scene of this number in a family.
 ///
 /// # Errors
-/// The text is no scene, which a test rules out for the first thousand.
-pub fn scene(seed: u64, number: u64) -> Result<Scene, SceneError> {
-    Scene::parse(&text(seed, number), &format!("random-{seed}-{number}.toml"))
+/// The text is no scene, which a test rules out for the first thousand of the ordinary ones.
+pub fn scene(family: Family, seed: u64, number: u64) -> Result<Scene, SceneError> {
+    Scene::parse(&text(family, seed, number), &format!("{family}-{seed}-{number}.toml"))
 }

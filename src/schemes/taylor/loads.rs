@@ -11,6 +11,8 @@
 //! (4)  drag                         F = −(c V + ω × s),  τ = −(s × V + D ω)
 //! (5)  Lorentz                      F = q E + (q V + ω × s) × B,  τ = s × (E + V × B) + ω × Q B
 //! (6)  spring, central gravity      F = (a + b |d|ᵉ) d − c U,  τ = x × F,  d = X + x − w
+//! (7)  rotational damping           τ = −C ω
+//! (8)  wheels                       τ = h × ω
 //! ```
 
 use nalgebra::{Matrix3, Vector3};
@@ -20,8 +22,11 @@ use super::pulls::{Pull, Pulls};
 use super::series::{Curve, Curves, Sinusoid, Vector, cross_product};
 use crate::model::System;
 use crate::model::body::Body;
-use crate::model::forces::{Dipole, Gravity, Law, Torque, TorqueAxes};
+use crate::model::forces::{
+    Dipole, Gravity, Law, OrbitingDipole, RotationalDamping, Torque, TorqueAxes, Wheels,
+};
 use crate::ode::units::Units;
+use crate::rotation;
 
 /// Units of the series: powers of two, so that scaling by them does not round.
 #[derive(Clone, Copy, Debug)]
@@ -126,6 +131,8 @@ pub(super) fn of(matrix: &Matrix3<f64>, a: &Vector) -> Vector {
 pub enum Term {
     /// (1): m in body axes, w in world axes.
     Couple(Vector, Vector),
+    /// (1) with a w that depends on time.
+    Turned(Vector, Box<Clocked>),
     /// (2) in world axes.
     World(Box<Clocked>),
     /// (2) in body axes.
@@ -138,6 +145,10 @@ pub enum Term {
     Lorentz(Box<Charges>),
     /// (6).
     Pulls(Box<Pulls>),
+    /// (7): C, principal axes.
+    Damped(Matrix3<f64>),
+    /// (8): h, principal axes.
+    Wheels(Vector),
 }
 
 impl Term {
@@ -149,10 +160,17 @@ impl Term {
                 let weight = acceleration * (body.mass * scales.torque());
                 vec![Term::Couple(principal(body, &body.center), weight.into())]
             }
-            Law::Gravity(_) | Law::Ground(_) => Vec::new(),
+            // A law with a jump or a kink has no series and is refused before.
+            Law::Gravity(_) | Law::Ground(_) | Law::TorquePulse(_) => Vec::new(),
             Law::Dipole(Dipole { moment, field }) => {
                 vec![Term::Couple(principal(body, moment), (field * scales.torque()).into())]
             }
+            Law::OrbitingDipole(dipole) => vec![Term::turned(dipole, body, scales)],
+            Law::RotationalDamping(law) => vec![Term::damped(law, body, scales)],
+            Law::Wheels(Wheels { momentum }) => {
+                vec![Term::Wheels(principal(body, &(momentum * (scales.torque() / scales.time))))]
+            }
+            Law::MassCenterGravity(law) => Pulls::all(&[Pull::on_center(law, body, scales)], -1.5, scales),
             Law::Torque(torque) => vec![Term::torque(torque, body, scales)],
             Law::GravityGradient(law) => vec![Term::Gradient(Box::new(Gradient::new(law, body, scales)))],
             Law::Drag(drag) => vec![Term::Drag(Resistance::new(drag, body, scales))],
@@ -160,6 +178,22 @@ impl Term {
             Law::Spring(spring) => Pulls::all(&[Pull::spring(spring, body, scales)], -0.5, scales),
             Law::CentralGravity(law) => Pulls::all(&Pull::gravity(law, body, scales), -1.5, scales),
         }
+    }
+
+    fn turned(dipole: &OrbitingDipole, body: &Body, scales: &Scales) -> Term {
+        let field = |part: &Vector3<f64>| (part * scales.torque()).into();
+        let wave = Sinusoid {
+            constant: field(&dipole.field),
+            cosine: field(&dipole.field_cosine),
+            sine: field(&dipole.field_sine),
+            frequency: dipole.frequency * scales.time,
+        };
+        Term::Turned(principal(body, &dipole.moment), Box::new(Clocked::new(wave)))
+    }
+
+    fn damped(law: &RotationalDamping, body: &Body, scales: &Scales) -> Term {
+        let axes = rotation::axes(&body.principal);
+        Term::Damped(axes.transpose() * law.coefficients * axes * (scales.torque() / scales.time))
     }
 
     fn torque(torque: &Torque, body: &Body, scales: &Scales) -> Term {
@@ -182,8 +216,8 @@ impl Term {
     /// Begins a step at a time, with the origin at a place.
     pub fn start(&mut self, time: f64, origin: &Vector3<f64>) {
         match self {
-            Term::Couple(..) | Term::Drag(_) => {}
-            Term::World(clocked) | Term::Body(clocked) => clocked.start(time),
+            Term::Couple(..) | Term::Drag(_) | Term::Damped(_) | Term::Wheels(_) => {}
+            Term::World(clocked) | Term::Body(clocked) | Term::Turned(_, clocked) => clocked.start(time),
             Term::Gradient(gradient) => gradient.start(time),
             Term::Lorentz(charges) => charges.start(time),
             Term::Pulls(pulls) => pulls.start(origin),
@@ -198,6 +232,11 @@ impl Term {
             Term::Couple(moment, field) => {
                 load.add(&[0.0; 3], &cross_product(moment, &seen.in_body(&[*field])));
             }
+            Term::Turned(moment, clocked) => {
+                load.add(&[0.0; 3], &cross_product(moment, &seen.in_body(clocked.coefficients())));
+            }
+            Term::Damped(matrix) => load.add(&[0.0; 3], &by(&of(matrix, &seen.spin[k]), -1.0)),
+            Term::Wheels(momentum) => load.add(&[0.0; 3], &cross_product(momentum, &seen.spin[k])),
             Term::World(clocked) => load.add(&[0.0; 3], &seen.in_body(clocked.coefficients())),
             Term::Body(clocked) => {
                 if let Some(torque) = clocked.coefficients().get(k) {

@@ -38,7 +38,7 @@ const LEAST_ORDER: usize = 3;
 /// Why the method cannot take a system, if it cannot.
 pub fn refusal(system: &System) -> Option<String> {
     let law = system.forces.laws().iter().find(|law| law.has_kink())?;
-    Some(format!("the law {} has a kink, and no Taylor series there", law.name()))
+    Some(format!("the law {} has a kink or a jump, and no Taylor series there", law.name()))
 }
 
 /// The states at increasing `times` [s], from t = 0 on.

@@ -4,8 +4,8 @@ use nalgebra::Vector3;
 
 use super::loads::{Load, Scales, Seen, Term, by, plus, principal};
 use super::series::{CAPACITY, Curves, Series, Vector, cross_product, norm_squared, power, times, zeros};
-use crate::model::body::Body;
-use crate::model::forces::{Attachment, CentralGravity, Spring};
+use crate::model::body::{Body, MassPoint};
+use crate::model::forces::{Attachment, CentralGravity, MassCenterGravity, Spring};
 
 /// Points that are taken at once: a register of AVX2.
 const WIDTH: usize = 4;
@@ -56,17 +56,24 @@ impl Pull {
         }
     }
 
+    /// By the centre of attraction, of every point.
     pub(super) fn gravity(law: &CentralGravity, body: &Body, scales: &Scales) -> Vec<Pull> {
+        let place = |position: &Vector3<f64>| principal(body, &(position / scales.length));
+        let pull = |p: &MassPoint| Pull::attraction(law.mu, &law.center, p.mass, place(&p.position), scales);
+        body.points.iter().map(pull).collect()
+    }
+
+    /// By the centre of attraction, of the whole mass in its centre.
+    pub(super) fn on_center(law: &MassCenterGravity, body: &Body, scales: &Scales) -> Pull {
+        let arm = principal(body, &(body.center / scales.length));
+        Pull::attraction(law.mu, &law.center, body.mass, arm, scales)
+    }
+
+    fn attraction(mu: f64, center: &Vector3<f64>, mass: f64, arm: Vector, scales: &Scales) -> Pull {
         // μ in units of length³/time²; each point has its part of the mass.
-        let mu = law.mu / scales.length * (scales.time / scales.length).powi(2);
-        let pull = |mass: f64, position: &Vector3<f64>| Pull {
-            arm: principal(body, &(position / scales.length)),
-            anchor: (law.center / scales.length).into(),
-            linear: 0.0,
-            factor: -mu * (mass / scales.mass),
-            damping: 0.0,
-        };
-        body.points.iter().map(|point| pull(point.mass, &point.position)).collect()
+        let mu = mu / scales.length * (scales.time / scales.length).powi(2);
+        let anchor = (center / scales.length).into();
+        Pull { arm, anchor, linear: 0.0, factor: -mu * (mass / scales.mass), damping: 0.0 }
     }
 }
 

@@ -26,6 +26,8 @@ const MOST_STEPS_IN_NAME: u64 = 1 << 14;
 const MOST_FOREIGN_STEPS: u64 = 1 << 13;
 /// Most steps in single precision: the roundings of so many steps add up to 1e-5 of the motion at least.
 const MOST_STEPS_IN_SINGLE: u64 = 1 << 16;
+/// Most steps times mass points of a scheme that runs on these alone: a tenth of a second.
+const MOST_STEPS_OF_POINTS: u64 = 1 << 24;
 /// Grid places of a halving.
 const PLACES: u32 = 4;
 /// Bisections of the last place.
@@ -100,7 +102,9 @@ pub(super) struct Search<'a> {
 
 impl<'a> Search<'a> {
     pub(super) fn new(question: &'a Question, contestant: &'a Contestant) -> Search<'a> {
+        let points = question.system.body.points.len().max(1) as u64;
         let most = match contestant {
+            _ if contestant.needs_points() => (MOST_STEPS_OF_POINTS / points).min(MOST_STEPS),
             _ if contestant.has_own_clock() => MOST_FOREIGN_STEPS,
             _ if contestant.chooses_steps() => MOST_STEPS_IN_NAME,
             _ if question.precision == Precision::F32 => MOST_STEPS_IN_SINGLE,

@@ -10,6 +10,7 @@ use crate::model::{Snapshot, System};
 use crate::record::stability::{EnergyRate, LongRun, LongRunClass};
 use crate::rotation;
 use crate::scenes::Scene;
+use crate::schemes;
 use crate::simulate::{Contestant, Form, Plan};
 
 /// Scenes of the long runs: three different moments, and two equal ones.
@@ -53,6 +54,7 @@ pub fn long_run(scene: &str, contestant: &Contestant, steps: u64) -> Option<Long
     Some(LongRun {
         scene: scene.name.clone(),
         scheme: contestant.card.name.to_owned(),
+        look: schemes::look(contestant.card.name),
         step_s: step,
         radians_per_step: TURN,
         steps: outcome.steps,

@@ -193,6 +193,7 @@ mod tests {
                 let path = match parameter.kind {
                     Kind::Number | Kind::PerPoint => path,
                     Kind::Vector => format!("{path}.2"),
+                    Kind::Matrix => format!("{path}.2.0"),
                     Kind::Attachment | Kind::Axes => continue,
                 };
                 assert!(keys.contains(&path), "{path} of {} in {keys:?}", law.name);

@@ -11,6 +11,7 @@ use plotters::style::RGBColor;
 use super::palette;
 use super::render::{self, Fault};
 use super::sketch::Sketch;
+use super::vector;
 use crate::report::DrawingError;
 
 /// A picture of one map or several under one scale.
@@ -168,7 +169,7 @@ impl HeatMap {
     /// # Errors
     /// A panel whose cells do not fill its rows, or whose axis is no range; a backend that fails.
     pub fn svg(&self) -> Result<String, DrawingError> {
-        Ok(render::svg(&self.checked()?)?)
+        Ok(vector::svg(&self.checked()?)?)
     }
 
     fn checked(&self) -> Result<Sketch, DrawingError> {

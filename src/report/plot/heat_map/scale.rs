@@ -4,7 +4,7 @@ use plotters::style::RGBColor;
 
 use super::{HeatMap, Scale};
 use crate::report::plot::axis::Axis;
-use crate::report::plot::colour_map::viridis;
+use crate::report::plot::colour_map::{diverging, viridis};
 use crate::report::plot::legend::{self, Entry, Sign};
 use crate::report::plot::palette::{BAND, SOFT};
 use crate::report::plot::panel::{AXIS, TICK};
@@ -19,10 +19,13 @@ const BAR: (f64, f64) = (900.0, 40.0);
 /// Height of the colour bar with its labels.
 const BAR_ROOM: f64 = 120.0;
 
-/// The scale of a picture, its ends known.
+/// The colour of a part of the range.
+type Colours = fn(f64) -> RGBColor;
+
+/// The scale of a picture, its ends known. Where zero lies inside a linear scale it is the middle, and white.
 pub(super) enum Key<'a> {
     /// Numbers; the axis holds log₁₀ where the scale is logarithmic.
-    Numbers { title: &'a str, logarithmic: bool, axis: Axis, below: bool, above: bool },
+    Numbers { title: &'a str, logarithmic: bool, axis: Axis, below: bool, above: bool, colours: Colours },
     /// Classes.
     Classes(&'a [super::Class]),
 }
@@ -44,10 +47,13 @@ impl<'a> Key<'a> {
             None if logarithmic => (least.max(most - MOST_DECADES), most),
             None => (least, most),
         };
+        let signed = !logarithmic && low < 0.0 && high > 0.0;
+        let (low, high) = if signed { (low.min(-high), high.max(-low)) } else { (low, high) };
+        let colours: Colours = if signed { diverging } else { viridis };
         let axis = if logarithmic { Axis::logarithmic(low, high, 10) } else { Axis::linear(low, high, 8) };
         let zero = logarithmic && cells().any(|value| value <= 0.0);
         let (below, above) = (zero || least < axis.low - 1e-12, most > axis.high + 1e-12);
-        Key::Numbers { title, logarithmic, axis, below, above }
+        Key::Numbers { title, logarithmic, axis, below, above, colours }
     }
 
     /// The colour of a cell.
@@ -55,8 +61,8 @@ impl<'a> Key<'a> {
         let Some(value) = cell.filter(|value| !value.is_nan()) else { return NOTHING };
         match self {
             Key::Classes(classes) => classes.get(value as usize).map_or(NOTHING, |class| class.hue.ink()),
-            Key::Numbers { logarithmic: true, .. } if value <= 0.0 => viridis(0.0),
-            Key::Numbers { logarithmic, axis, .. } => viridis(axis.part(on(value, *logarithmic))),
+            Key::Numbers { logarithmic: true, colours, .. } if value <= 0.0 => colours(0.0),
+            Key::Numbers { logarithmic, axis, colours, .. } => colours(axis.part(on(value, *logarithmic))),
         }
     }
 
@@ -69,8 +75,8 @@ impl<'a> Key<'a> {
     /// Draws the strip.
     pub(super) fn draw(&self, sketch: &mut Sketch, picture: &HeatMap, (left, top): Place, room: f64) {
         let mut entries_top = top;
-        if let Key::Numbers { title, axis, below, above, .. } = self {
-            draw_bar(sketch, title, axis, (*below, *above), (left, top));
+        if let Key::Numbers { title, axis, below, above, colours, .. } = self {
+            draw_bar(sketch, title, (axis, *colours), (*below, *above), (left, top));
             entries_top += BAR_ROOM;
         }
         legend::draw(sketch, &self.entries(picture), left, entries_top, room);
@@ -99,7 +105,13 @@ fn on(value: f64, logarithmic: bool) -> f64 {
 }
 
 /// The colour bar, its title at its left; an end that cells lie beyond is a point.
-fn draw_bar(sketch: &mut Sketch, title: &str, axis: &Axis, (below, above): (bool, bool), (left, top): Place) {
+fn draw_bar(
+    sketch: &mut Sketch,
+    title: &str,
+    (axis, colours): (&Axis, Colours),
+    (below, above): (bool, bool),
+    (left, top): Place,
+) {
     const STEPS: usize = 180;
     const TIP: f64 = 30.0;
     let start = left + AXIS.width(title) + 30.0 + TIP;
@@ -108,14 +120,14 @@ fn draw_bar(sketch: &mut Sketch, title: &str, axis: &Axis, (below, above): (bool
     let width = BAR.0 / STEPS as f64;
     for step in 0..STEPS {
         let x = start + step as f64 * width;
-        sketch.area((x, low), (x + width + 1.0, high), viridis((step as f64 + 0.5) / STEPS as f64));
+        sketch.area((x, low), (x + width + 1.0, high), colours((step as f64 + 0.5) / STEPS as f64));
     }
     let (end, middle) = (start + BAR.0, (low + high) / 2.0);
     if below {
-        sketch.shapes.push(fan(vec![(start, low), (start - TIP, middle), (start, high)], viridis(0.0)));
+        sketch.shapes.push(fan(vec![(start, low), (start - TIP, middle), (start, high)], colours(0.0)));
     }
     if above {
-        sketch.shapes.push(fan(vec![(end, low), (end + TIP, middle), (end, high)], viridis(1.0)));
+        sketch.shapes.push(fan(vec![(end, low), (end + TIP, middle), (end, high)], colours(1.0)));
     }
     for (value, label) in &axis.labels {
         let x = start + axis.part(*value) * BAR.0;

@@ -1,0 +1,391 @@
+//! Which column of a file is what: its separator, its header, and what the user says.
+
+use super::columns::{self, Component, Kind, Meaning};
+use super::euler::Sequence;
+use super::row::{COLUMNS, Part, Parts};
+use super::said::{Columns, NO_FIELD};
+
+/// What a column may be called by `--columns`: those of [`COLUMNS`], then Euler angles in the order of a sequence, angles about the axes
+/// x, y, z, and modified Rodrigues parameters.
+pub(super) const FIELDS: [&str; 23] = [
+    "t", "x", "y", "z", "qw", "qx", "qy", "qz", "vx", "vy", "vz", "wx", "wy", "wz", "e1", "e2", "e3", "roll",
+    "pitch", "yaw", "s1", "s2", "s3",
+];
+/// First field of angles in order, of angles about axes, and of modified Rodrigues parameters.
+pub(super) const ANGLES: usize = 14;
+pub(super) const ROLL: usize = 17;
+pub(super) const SIGMA: usize = 20;
+/// Letters of a name in messages.
+const SHOWN: usize = 40;
+/// Most columns: the names of all are held against one another.
+const MOST_COLUMNS: usize = 4096;
+/// Names in messages.
+const MOST_SHOWN: usize = 40;
+/// How far from one the length of a quaternion may be in a file without header that is taken for TUM's format.
+const UNIT: f64 = 1e-2;
+
+/// What stands between two numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Separator {
+    Sign(u8),
+    Blanks,
+}
+
+impl Separator {
+    fn of(line: &str) -> Separator {
+        let signs = [b'\t', b';', b','];
+        let found = signs.into_iter().find(|sign| line.trim().as_bytes().contains(sign));
+        found.map_or(Separator::Blanks, Separator::Sign)
+    }
+
+    fn word(self) -> &'static str {
+        match self {
+            Separator::Sign(b'\t') => "tabs",
+            Separator::Sign(b';') => "semicolons",
+            Separator::Sign(_) => "commas",
+            Separator::Blanks => "blanks",
+        }
+    }
+
+    fn cut(self, line: &str) -> Vec<&str> {
+        match self {
+            Separator::Sign(sign) => line.split(char::from(sign)).map(clean).collect(),
+            Separator::Blanks => line.split_ascii_whitespace().map(clean).collect(),
+        }
+    }
+}
+
+/// A cell without blanks and quotes.
+pub(super) fn clean(cell: &str) -> &str {
+    cell.trim().trim_matches('"')
+}
+
+/// What a column is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Slot {
+    /// Its place in [`FIELDS`].
+    pub field: usize,
+    /// SI units in the unit that the header states.
+    pub unit: Option<f64>,
+}
+
+/// How a file is read.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Reading {
+    pub separator: Separator,
+    /// What each column is, from left to right; those after the last that is read are left out.
+    pub slots: Vec<Option<Slot>>,
+    /// Whether the first line that is no comment is a header.
+    pub header: bool,
+    /// Whether names say that angular velocities are in body axes.
+    pub spin_in_body_axes: bool,
+    /// The sequence of Euler angles, where the orientation is made of them.
+    pub sequence: Option<Sequence>,
+    /// In words.
+    pub words: String,
+}
+
+impl Reading {
+    /// The fields that the file has.
+    pub fn has(&self, field: usize) -> bool {
+        self.slots.iter().flatten().any(|slot| slot.field == field)
+    }
+
+    pub fn unit(&self, field: usize) -> Option<f64> {
+        self.slots.iter().flatten().find(|slot| slot.field == field).and_then(|slot| slot.unit)
+    }
+
+    pub fn has_all(&self, from: usize, count: usize) -> bool {
+        (from..from + count).all(|field| self.has(field))
+    }
+
+    /// The parts for which there are columns.
+    pub fn parts(&self) -> Parts {
+        let has = |part: &Part| {
+            let columns = part.columns();
+            self.has_all(columns.start, columns.len())
+                || *part == Part::Orientation
+                    && [ANGLES, ROLL, SIGMA].iter().any(|first| self.has_all(*first, 3))
+        };
+        Parts::of(&Part::ALL.into_iter().filter(has).collect::<Vec<_>>())
+    }
+
+    /// What the first lines of a file say: the last comment before `line`, which is the first that is none.
+    pub fn find(comment: Option<&str>, line: &str, asked: Option<&Columns>) -> Result<Reading, String> {
+        let separator = Separator::of(line);
+        let cells = separator.cut(line);
+        let header = cells.iter().any(|cell| !cell.is_empty() && number(cell, separator).is_none());
+        if header {
+            return Reading::of_names(separator, &cells, true, asked);
+        }
+        if let Some(comment) = comment {
+            let bare = comment.trim_start_matches(['#', '%', '/', ' ']);
+            let names = Separator::of(bare).cut(bare);
+            let known = names.iter().filter(|name| columns::meaning(name).is_some()).count();
+            if names.len() == cells.len() && known > 1 {
+                return Reading::of_names(separator, &names, false, asked);
+            }
+        }
+        let numbers: Vec<String> = (1..=cells.len()).map(|n| n.to_string()).collect();
+        let names: Vec<&str> = numbers.iter().map(String::as_str).collect();
+        match asked {
+            Some(_) => Reading::of_names(separator, &names, false, asked),
+            None if is_tum(separator, &cells) => {
+                let tum = "t,x,y,z,qx,qy,qz,qw".parse().ok();
+                let mut reading = Reading::of_names(separator, &names, false, tum.as_ref())?;
+                reading.words += ", the format of TUM, which has no header";
+                Ok(reading)
+            }
+            None => Err(format!(
+                "there is no header, and {} columns; say what they are, as in {}",
+                cells.len(),
+                example_list(cells.len())
+            )),
+        }
+    }
+
+    fn of_names(
+        separator: Separator,
+        names: &[&str],
+        header: bool,
+        asked: Option<&Columns>,
+    ) -> Result<Reading, String> {
+        if names.len() > MOST_COLUMNS {
+            return Err(format!("there are {} columns, more than {MOST_COLUMNS}", names.len()));
+        }
+        let mut slots: Vec<Option<Slot>> = vec![None; names.len()];
+        let in_body_axes = recognise(names, &mut slots);
+        if let Some(asked) = asked {
+            obey(asked, names, &mut slots)?;
+        }
+        one_of_each(names, &mut slots)?;
+        while slots.last().is_some_and(Option::is_none) {
+            slots.pop();
+        }
+        let mut reading = Reading {
+            separator,
+            slots,
+            header,
+            spin_in_body_axes: false,
+            sequence: None,
+            words: String::new(),
+        };
+        reading.spin_in_body_axes = in_body_axes && reading.parts().has(Part::Spin);
+        if !reading.has(0) {
+            return Err(format!("there is no column t; {}", reading.line_to_paste(names)));
+        }
+        if reading.parts() == Parts::default() {
+            return Err(format!("there is no whole quantity beside t; {}", reading.line_to_paste(names)));
+        }
+        if !reading.has_all(4, 4) && reading.parts().has(Part::Orientation) && !reading.has_all(SIGMA, 3) {
+            reading.sequence = Some(Sequence::YAW_PITCH_ROLL);
+        }
+        reading.words = reading.in_words(names);
+        Ok(reading)
+    }
+
+    fn in_words(&self, names: &[&str]) -> String {
+        let column = |(slot, name): (&Option<Slot>, &&str)| {
+            let slot = (*slot)?;
+            let unit =
+                slot.unit.filter(|unit| *unit != 1.0).map_or(String::new(), |unit| format!(" × {unit:?}"));
+            let same = FIELDS[slot.field] == *name && unit.is_empty();
+            Some(if same {
+                (*name).to_owned()
+            } else {
+                format!("{} = {}{unit}", FIELDS[slot.field], shown(name))
+            })
+        };
+        let columns: Vec<String> = self.slots.iter().zip(names).filter_map(column).collect();
+        format!("columns between {}: {}", self.separator.word(), columns.join(", "))
+    }
+
+    /// The columns that there are, and an option to say what they mean.
+    fn line_to_paste(&self, names: &[&str]) -> String {
+        let listed: Vec<String> = names.iter().take(MOST_SHOWN).map(|name| shown(name)).collect();
+        let more = if names.len() > MOST_SHOWN { ", …" } else { "" };
+        let of = |field: usize| {
+            let column = self.slots.iter().position(|slot| slot.is_some_and(|slot| slot.field == field));
+            column.map(|column| format!("{}={}", FIELDS[field], shown(names[column])))
+        };
+        let known: Vec<String> = (1..FIELDS.len()).filter_map(of).collect();
+        let time = of(0).unwrap_or_else(|| format!("t={}", listed.first().map_or("", String::as_str)));
+        let example = if known.is_empty() { vec!["qw=…,qx=…,qy=…,qz=…".to_owned()] } else { known };
+        format!(
+            "the columns are {}{more}; expected are {}; say which is which, as in --columns '{time},{}'",
+            listed.join(", "),
+            COLUMNS.join(","),
+            example.join(",")
+        )
+    }
+}
+
+/// Fills in what the names say; returns whether they say that angular velocities are in body axes.
+fn recognise(names: &[&str], slots: &mut [Option<Slot>]) -> bool {
+    let lower: Vec<String> = names.iter().map(|name| name.to_lowercase()).collect();
+    let rates = ["p", "q", "r"];
+    if rates.iter().all(|rate| lower.iter().any(|name| name == rate)) {
+        for (name, slot) in lower.iter().zip(slots.iter_mut()) {
+            let rate = rates.iter().position(|rate| rate == name);
+            *slot = rate.map(|k| Slot { field: 11 + k, unit: None });
+        }
+    }
+    let mut in_body_axes = slots.iter().any(Option::is_some);
+    let meanings: Vec<Option<Meaning>> = names.iter().map(|name| columns::meaning(name)).collect();
+    for (slot, meaning) in slots.iter_mut().zip(&meanings) {
+        let Some(meaning) = meaning else { continue };
+        if slot.is_none()
+            && let Some(field) = field(meaning, &meanings)
+        {
+            in_body_axes |= meaning.in_body_axes;
+            *slot = Some(Slot { field, unit: meaning.unit });
+        }
+    }
+    in_body_axes
+}
+
+/// The field of a meaning; numbers count from the least that a quantity of the file has.
+fn field(meaning: &Meaning, all: &[Option<Meaning>]) -> Option<usize> {
+    let digits = || {
+        let same = all.iter().flatten().filter(|other| other.kind == meaning.kind);
+        same.filter_map(
+            |other| if let Component::Digit(digit) = other.component { Some(digit) } else { None },
+        )
+    };
+    let base = usize::from(digits().min() != Some(0));
+    let from_base = |digit: usize| digit.checked_sub(base);
+    let axis = match meaning.component {
+        Component::Axis(axis) => Some(axis),
+        Component::Digit(digit) => from_base(digit),
+        Component::Only | Component::Scalar => None,
+    };
+    let of_three = |first: usize| axis.filter(|axis| *axis < 3).map(|axis| first + axis);
+    match (meaning.kind, meaning.component) {
+        (Kind::Time, _) => Some(0),
+        (Kind::Position, _) => of_three(1),
+        (Kind::Velocity, _) => of_three(8),
+        (Kind::Spin, _) => of_three(11),
+        (Kind::Angles, _) => of_three(ANGLES),
+        (Kind::Roll, _) => of_three(ROLL),
+        (Kind::Sigma, _) => of_three(SIGMA),
+        (Kind::Quaternion, Component::Scalar) => Some(4),
+        (Kind::Quaternion, Component::Axis(axis)) => Some(5 + axis),
+        // q1 … q4 have the scalar last, q0 … q3 first.
+        (Kind::Quaternion, Component::Digit(digit)) if base == 1 => match digit {
+            1..=3 => Some(4 + digit),
+            4 => Some(4),
+            _ => None,
+        },
+        (Kind::Quaternion, Component::Digit(digit)) => (digit < 4).then_some(4 + digit),
+        (Kind::Quaternion, Component::Only) => None,
+        (Kind::Qpos, _) => from_base(digits_of(meaning)?).filter(|k| *k < 7).map(|k| 1 + k),
+        (Kind::Qvel, _) => from_base(digits_of(meaning)?).filter(|k| *k < 6).map(|k| 8 + k),
+    }
+}
+
+fn digits_of(meaning: &Meaning) -> Option<usize> {
+    if let Component::Digit(digit) = meaning.component { Some(digit) } else { None }
+}
+
+/// Puts in what the user says.
+fn obey(asked: &Columns, names: &[&str], slots: &mut [Option<Slot>]) -> Result<(), String> {
+    let list = asked.0.iter().all(|(_, column)| column.is_none());
+    if list {
+        slots.fill(None);
+    }
+    for (place, (field, column)) in asked.0.iter().enumerate() {
+        let index = match column {
+            None => Some(place).filter(|place| *place < names.len()),
+            Some(column) => place_of(column, names),
+        };
+        let Some(index) = index else {
+            let wanted = column.as_deref().unwrap_or(FIELDS.get(*field).copied().unwrap_or("-"));
+            let listed: Vec<String> = names.iter().take(MOST_SHOWN).map(|name| shown(name)).collect();
+            return Err(format!(
+                "--columns: there is no column {}; there are {}",
+                shown(wanted),
+                listed.join(", ")
+            ));
+        };
+        for slot in slots.iter_mut().filter(|slot| slot.is_some_and(|slot| slot.field == *field)) {
+            *slot = None;
+        }
+        let unit = columns::meaning(names[index]).and_then(|meaning| meaning.unit);
+        slots[index] = (*field != NO_FIELD).then_some(Slot { field: *field, unit });
+    }
+    Ok(())
+}
+
+/// A column by its name, or by its number from 1.
+fn place_of(column: &str, names: &[&str]) -> Option<usize> {
+    let named = names.iter().position(|name| *name == column);
+    named.or_else(|| column.parse::<usize>().ok()?.checked_sub(1).filter(|place| *place < names.len()))
+}
+
+/// Of two columns for one field the one that bears its very name is meant.
+fn one_of_each(names: &[&str], slots: &mut [Option<Slot>]) -> Result<(), String> {
+    for (field, own) in FIELDS.iter().enumerate() {
+        let is = |slot: &Option<Slot>| slot.is_some_and(|slot| slot.field == field);
+        let places: Vec<usize> = (0..slots.len()).filter(|index| is(&slots[*index])).collect();
+        if places.len() < 2 {
+            continue;
+        }
+        let exact: Vec<usize> = places.iter().copied().filter(|place| names[*place] == *own).collect();
+        match exact[..] {
+            [one] => places.into_iter().filter(|place| *place != one).for_each(|place| slots[place] = None),
+            _ => {
+                let (first, second) = (shown(names[places[0]]), shown(names[places[1]]));
+                return Err(format!(
+                    "the column {own} stands twice, as {first} and as {second}; say which is meant: --columns '{own}={first}'"
+                ));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Eight numbers between blanks, the last four of unit length.
+fn is_tum(separator: Separator, cells: &[&str]) -> bool {
+    let numbers: Vec<f64> = cells.iter().filter_map(|cell| number(cell, separator)).collect();
+    let length = |q: &[f64]| q.iter().map(|x| x * x).sum::<f64>().sqrt();
+    separator == Separator::Blanks
+        && numbers.len() == 8
+        && cells.len() == 8
+        && (length(&numbers[4..]) - 1.0).abs() < UNIT
+}
+
+fn example_list(count: usize) -> String {
+    let list = match count {
+        8 => "t,x,y,z,qx,qy,qz,qw".to_owned(),
+        5 => "t,qw,qx,qy,qz".to_owned(),
+        _ => {
+            let rest = count.saturating_sub(COLUMNS.len()).min(MOST_SHOWN);
+            let known = COLUMNS.iter().take(count).copied();
+            known.chain(std::iter::repeat_n("-", rest)).collect::<Vec<_>>().join(",")
+        }
+    };
+    format!("--columns {list}")
+}
+
+/// A cell as a number; between semicolons and tabs a comma may be the decimal point.
+pub(super) fn number(cell: &str, separator: Separator) -> Option<f64> {
+    if let Ok(value) = cell.parse() {
+        return Some(value);
+    }
+    match cell {
+        "" | "null" | "NULL" | "None" | "NA" | "N/A" | "-nan" | "-NaN" | "nan(ind)" | "-nan(ind)" => {
+            Some(f64::NAN)
+        }
+        _ if separator != Separator::Sign(b',') && cell.contains(',') && cell.len() < SHOWN => {
+            cell.replacen(',', ".", 1).parse().ok()
+        }
+        _ => None,
+    }
+}
+
+/// A name as messages show it.
+pub(super) fn shown(name: &str) -> String {
+    let mut letters = name.chars();
+    let head: String = letters.by_ref().take(SHOWN).collect();
+    if letters.next().is_some() { head + "…" } else { head }
+}

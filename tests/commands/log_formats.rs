@@ -1,0 +1,173 @@
+//! Logs as programs write them, rows without an orientation, the last line, and mutated files.
+
+use polhode::internals::log::{Change, Judgement, Request, Said, judge_text};
+use polhode::model::Quantity;
+use polhode::record::Ruling;
+
+use crate::changed_logs::{STILL, mutate, still};
+use crate::common::program::{code, polhode, scratch, stdout};
+
+/// cos ¼ and sin ¼: half a second of it.
+const COSINE: &str = "0.9689124217106447";
+const SINE: &str = "0.24740395925452294";
+
+fn judged_as(log: &str, request: &Request) -> Judgement {
+    let log = log.replace("COS", COSINE).replace("SIN", SINE);
+    judge_text(&log, &still(), request).unwrap_or_else(|error| panic!("{error}\n{log}"))
+}
+
+fn judged(log: &str) -> Judgement {
+    judged_as(log, &Request::default())
+}
+
+fn passes(judgement: &Judgement, quantity: Quantity) -> bool {
+    // Digits of the logs: 1e-15; times in nanoseconds since 1970 are good to 1.3e-7 s.
+    judgement.against(quantity, 1e-6).ruling == Ruling::Pass
+}
+
+fn said(columns: &str) -> Request {
+    let said = Said { columns: Some(columns.parse().expect("columns")), ..Said::default() };
+    Request { said, ..Request::default() }
+}
+
+#[test]
+fn formats_of_many_programs_are_read() {
+    let logs = [
+        // TUM, with and without its comment.
+        "# timestamp tx ty tz qx qy qz qw\n0 0 0 0 0 0 0 1\n0.5 0 0 0 0 0 SIN COS\n",
+        "0 0 0 0 0 0 0 1\n0.5 0 0 0 0 0 SIN COS\n",
+        // EuRoC, whose b_w is a bias.
+        "#timestamp [ns],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z [],b_w_RS_S_x [rad s^-1]\n\
+         1403636580000000000,0,0,0,1,0,0,0,9\n1403636580500000000,0,0,0,COS,0,0,SIN,9\n",
+        // AirSim.
+        "VehicleName\tTimeStamp\tPOS_X\tPOS_Y\tPOS_Z\tQ_W\tQ_X\tQ_Y\tQ_Z\tImageFile\n\
+         a\t1564567273000\t0\t0\t0\t1\t0\t0\t0\ta.png\na\t1564567273500\t0\t0\t0\tCOS\t0\t0\tSIN\tb.png\n",
+        // 42: the scalar is the fourth.
+        "time qbn1 qbn2 qbn3 qbn4 wbn1 wbn2 wbn3\n0 0 0 0 1 0 0 1\n0.5 0 0 SIN COS 0 0 1\n",
+        // Basilisk: tan(θ/4).
+        "time_ns,sigma_BN[0],sigma_BN[1],sigma_BN[2],omega_BN_B[0],omega_BN_B[1],omega_BN_B[2]\n\
+         0,0,0,0,0,0,1\n500000000,0,0,0.12565513657513097,0,0,1\n",
+        // The check cases of NASA.
+        "time,eulerAngle_deg_Yaw,eulerAngle_deg_Pitch,eulerAngle_deg_Roll,bodyAngularRateWrtEi_deg_s_Roll,bodyAngularRateWrtEi_deg_s_Pitch,bodyAngularRateWrtEi_deg_s_Yaw,mach\n\
+         0,0,0,0,0,0,57.29577951308232,0\n0.5,28.64788975654116,0,0,0,0,57.29577951308232,0\n",
+        // MuJoCo, with decimal commas.
+        "time;qpos_0;qpos_1;qpos_2;qpos_3;qpos_4;qpos_5;qpos_6;qvel_0;qvel_1;qvel_2;qvel_3;qvel_4;qvel_5\n\
+         0;0;0;0;1;0;0;0;0;0;0;0;0;1\n0,5;0;0;0;0,9689124217106447;0;0;0,24740395925452294;0;0;0;0;0;1\n",
+        // Drake.
+        "time,box_qw,box_qx,box_qy,box_qz,box_x,box_y,box_z,box_wx,box_wy,box_wz,box_vx,box_vy,box_vz\n\
+         0,1,0,0,0,0,0,0,0,0,1,0,0,0\n0.5,COS,0,0,SIN,0,0,0,0,0,1,0,0,0\n",
+        // ROS.
+        "%time,field.pose.orientation.x,field.pose.orientation.y,field.pose.orientation.z,field.pose.orientation.w\n\
+         1564567273000000000,0,0,0,1\n1564567273500000000,0,0,SIN,COS\n",
+        // Comments and rows out of order.
+        "# a run\nt,qw,qx,qy,qz\n# half\n0.5,COS,0,0,SIN\n0,1,0,0,0\n",
+    ];
+    for log in logs {
+        let judgement = judged(log);
+        assert!(passes(&judgement, Quantity::Orientation), "{log}\n{judgement:?}");
+        assert!(judgement.explanations.is_empty(), "{log}\n{:?}", judgement.explanations);
+        let spins = judgement.findings.iter().find(|f| f.name == "angular-velocity").expect("a finding");
+        assert!(
+            spins.value.is_err() || passes(&judgement, Quantity::AngularVelocity),
+            "{log}\n{judgement:?}"
+        );
+    }
+}
+
+#[test]
+fn columns_units_and_sequences_can_be_said() {
+    let list = judged_as("0 9 1 0 0 0\n0.5 9 COS 0 0 SIN\n", &said("t,-,qw,qx,qy,qz"));
+    let pairs = judged_as("a,b,c,d,e\n0,1,0,0,0\n0.5,COS,0,0,SIN\n", &said("t=a,qw=b,qx=c,qy=4,qz=e"));
+    let mut request = said("t=a,roll=b,pitch=c,yaw=d");
+    request.said.time_unit = Some(polhode::internals::log::TimeUnit::Milliseconds);
+    request.said.angle_unit = Some(polhode::internals::log::AngleUnit::Degrees);
+    request.said.sequence = Some("xyz".parse().expect("a sequence"));
+    let angles = judged_as("a,b,c,d\n0,0,0,0\n500,0,0,28.64788975654116\n", &request);
+    for judgement in [list, pairs, angles] {
+        assert!(passes(&judgement, Quantity::Orientation), "{judgement:?}");
+    }
+    assert!("t,qx=3".parse::<polhode::internals::log::Columns>().is_err());
+    assert!("t,spin".parse::<polhode::internals::log::Columns>().is_err());
+    for log in ["a,b\n1,2\n", "1,2,3\n4,5,6\n", "t,x_a,x_b\n1,2,3\n"] {
+        let error = judge_text(log, &still(), &Request::default()).expect_err("no trajectory").to_string();
+        assert!(error.contains("--columns"), "{error}");
+    }
+}
+
+#[test]
+fn a_row_without_an_orientation_never_passes() {
+    let (turned, none) = ("2,0.5403023058681398,0,0,0.8414709848078965\n", "0,0,0,0\n");
+    let between =
+        judged(&format!("t,qw,qx,qy,qz\n0,1,0,0,0\n1,{none}{turned}")).against(Quantity::Orientation, 1e-9);
+    assert_eq!((between.ruling, between.rows), (Ruling::Pass, (2, 3)));
+    for log in [
+        format!("t,qw,qx,qy,qz\n0,1,0,0,0\n1,COS,0,0,SIN\n2,{none}"),
+        "t,qw,qx,qy,qz\n0,1,0,0,0\n1,nan,0,0,0\n".to_owned(),
+        format!("t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,0,0,0,{none}"),
+        format!(
+            "t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,0,0,0,{none}1.5,0,0,0,{none}2,0,0,0,0.5403023058681398,0,0,0.8414709848078965\n1.8,0,0,0,{none}"
+        ),
+    ] {
+        let verdict = judged(&log).against(Quantity::Orientation, 10.0);
+        assert_eq!(verdict.ruling, Ruling::Inconclusive, "{log}: {verdict:?}");
+    }
+}
+
+#[test]
+fn known_cases_are_named() {
+    let changes = |log: &str| judged(log).explanations.iter().map(|e| e.change).collect::<Vec<_>>();
+    assert_eq!(
+        changes("t,wx,wy,wz\n0,0,0,1\n0.5,0,0,1\n1.0,0,0,0.9\n1.5,0,0,0.9\n2.0,0,0,0.9\n"),
+        [Change::Clipped]
+    );
+    let turned = "t,qw,qx,qy,qz,wx,wy,wz\n0,0,1,0,0,0,0,1\n0.5,0,COS,SIN,0,0,0,1\n\
+                  1.0,0,0.8775825618903728,0.479425538604203,0,0,0,1\n1.5,0,0.7316888688738209,0.6816387600233341,0,0,0,1\n";
+    assert_eq!(changes(turned), [Change::BodyAxes, Change::Start]);
+    let from_log = judged_as(turned, &Request { from_log: Some(1), ..Request::default() });
+    assert!(passes(&from_log, Quantity::Orientation) && from_log.explanations.is_empty());
+    let epoch =
+        judged("t,qw,qx,qy,qz,wx,wy,wz\n1564567273.0,1,0,0,0,0,0,1\n1564567273.5,COS,0,0,SIN,0,0,1\n");
+    assert!(passes(&epoch, Quantity::Orientation) && epoch.explanations.is_empty());
+}
+
+#[test]
+fn the_last_line_is_the_verdict() {
+    let folder = scratch();
+    let (log, scene) = (folder.path().join("log.csv"), folder.path().join("still.toml"));
+    std::fs::write(&scene, STILL).expect("written");
+    std::fs::write(&log, format!("t,qw,qx,qy,qz\n0,1,0,0,0\n0.5,{COSINE},0,0,0.2474\n")).expect("written");
+    let (log, scene) = (log.to_string_lossy(), scene.to_string_lossy());
+    for (limit, word, exit) in [("1e-3", "PASS", 0), ("1e-6", "FAIL", 1)] {
+        let output =
+            polhode(&["judge", &log, "--scene", &scene, "--tolerance", limit, "--quantity", "orientation"]);
+        let all = stdout(&output);
+        let words: Vec<&str> = all.lines().last().expect("a line").split_whitespace().collect();
+        assert_eq!((words[0], code(&output)), (word, exit), "{all}");
+        assert!(words.contains(&limit) && words.contains(&"0.5"), "{all}");
+    }
+}
+
+#[test]
+fn mutated_logs_are_read_or_refused() {
+    // 912 measured.
+    let refused = mutate(1000);
+    assert!((500..1000).contains(&refused), "{refused}");
+}
+
+#[test]
+fn long_fields_and_lines_are_refused_in_few_words() {
+    let long = "9".repeat(1 << 20);
+    let name = "n".repeat(1 << 20);
+    for log in [
+        format!("t,x,y,z\n0,0,0,{name}\n"),
+        format!("{name},x,y,z\n0,0,0,0\n"),
+        format!("t,{name}\n0,0\n"),
+        ",".repeat(1 << 20),
+        format!("{}\n{}\n", "t,".repeat(1 << 18), "0,".repeat(1 << 18)),
+    ] {
+        let error = judge_text(&log, &still(), &Request::default()).expect_err("no trajectory");
+        assert!(error.to_string().len() < 4000);
+    }
+    // Digits without end are a number, if an infinite one: the row has no position.
+    assert!(judge_text(&format!("t,x,y,z\n0,0,0,{long}\n1,0,0,0\n"), &still(), &Request::default()).is_ok());
+}
