@@ -54,9 +54,9 @@ pub fn climb_within(
     bounds: Bounds,
 ) -> Climbed {
     let phase = phase(system, reference);
-    // Sample times cut the steps of a solver that chooses them: it is asked at the end.
-    let quarters = if contestant.chooses_steps() { 0 } else { quarters(reference, phase) };
-    let truth = Truth::new(system, reference, quarters);
+    // Sample times cut the steps of a solver that chooses them: over a turn or two it is asked at the end alone.
+    let fewest = if contestant.chooses_steps() { 0 } else { 1 };
+    let truth = Truth::new(system, reference, quarters(reference, phase).max(fewest));
     let mut climbed = Climbed {
         model: contestant.model(system),
         ladder: truth.ladder(),
@@ -110,11 +110,11 @@ fn phase(system: &System, reference: &Reference) -> f64 {
     fastest.max(system.forces.fastest_clock()) * reference.times[reference.times.len() - 1]
 }
 
-/// How often the duration is quartered down to the first turn, once at least.
+/// How often the duration is quartered down to the first turn.
 fn quarters(reference: &Reference, phase: f64) -> u32 {
     let turns = (phase / std::f64::consts::TAU).max(1.0);
     let most = (reference.times.len() - 1).ilog2() / 2;
-    (turns.log2() / 2.0).floor().clamp(1.0, f64::from(most)) as u32
+    (turns.log2() / 2.0).floor().min(f64::from(most)) as u32
 }
 
 /// The steps of the runs, each twice as many as before, and from [`HIGH_ORDER`] on 3/2 and 4/3 times as many by turns; so are those of a solver
