@@ -28,7 +28,7 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 const OTHER_SYSTEM: f64 = 1e-6;
 
 /// A motion known as well as f64 allows, and how well that is.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Reference {
     /// j T / samples for j = 0 … samples [s].
     pub times: Vec<f64>,
@@ -39,7 +39,7 @@ pub struct Reference {
     /// What it rests on.
     pub sources: Vec<Source>,
     /// The same to 31 digits, where the series is the best estimate and f64 holds the fraction of the duration.
-    moments: Vec<Moment>,
+    pub(crate) moments: Vec<Moment>,
 }
 
 impl Reference {
