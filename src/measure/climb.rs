@@ -54,7 +54,7 @@ pub fn climb_within(
     bounds: Bounds,
 ) -> Climbed {
     let phase = phase(system, reference);
-    // Sample times cut the steps of a solver that chooses them: over a turn or two it is asked at the end alone.
+    // Sample times cut the steps of a solver that chooses them: over a turn or two there is one before the end.
     let fewest = if contestant.chooses_steps() { 0 } else { 1 };
     let truth = Truth::new(system, reference, quarters(reference, phase).max(fewest));
     let mut climbed = Climbed {

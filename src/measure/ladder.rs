@@ -83,12 +83,13 @@ pub(super) struct Truth<'a> {
 }
 
 impl<'a> Truth<'a> {
-    /// With the sample times that begin with the quarter of the quarter … of the end, as often as `quarters` says; the end alone for none.
+    /// With the sample times that begin with the quarter of the quarter … of the end, as often as `quarters` says; with the
+    /// middle and the end for none.
     pub fn new(system: &'a System, reference: &Reference, quarters: u32) -> Truth<'a> {
-        let last = 1usize << (2 * quarters);
+        let last = (1usize << (2 * quarters)).max(2);
         let early = (1..=quarters).rev().map(|quarter| last >> (2 * quarter));
-        let late = [last / 2, 3 * last / 4, last].into_iter().filter(|index| *index > 0);
-        let samples = early.chain(late).collect();
+        let mut samples: Vec<usize> = early.chain([last / 2, 3 * last / 4, last]).collect();
+        samples.dedup();
         let reference = reference.thinned((reference.times.len() - 1) / last);
         Truth { system, reference, samples, arms: arms(&system.body) }
     }
