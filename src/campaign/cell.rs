@@ -60,7 +60,7 @@ pub(super) fn measure(
     measurements.extend(evidence.drift.iter().flat_map(|drift| rows::drift_rates(&names, drift)));
     Cell {
         measurements,
-        orders: rows::orders(&names, &evidence.ladder),
+        orders: rows::orders(&names, &evidence),
         drifts: evidence.drift.iter().map(|drift| rows::drift(&names, drift)).collect(),
         verdicts: gates::judge(&evidence, baseline),
         series: if series {
@@ -80,6 +80,8 @@ fn evidence(scene: &Scene, reference: &Reference, contestant: &Contestant, climb
     let truth = asked(Claim::FlipTimes).then(|| measure::true_flips(system, reference, fastest)).flatten();
     Evidence {
         ladder: climbed.ladder.clone(),
+        precise: climbed.precise.clone(),
+        exactness: climbed.exactness.clone(),
         drift: measure::energy_drift(contestant, system, scene.duration),
         points: measure::point_run(contestant, system, scene.duration, fastest),
         flips: truth.and_then(|truth| measure::flips(contestant, system, scene.duration, fastest, truth)),

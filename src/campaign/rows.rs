@@ -2,11 +2,11 @@
 
 use crate::claim::Claim;
 use crate::measure::drift::rate_order;
-use crate::measure::{self, Asked, Decision, Doubt, Metric, Reading, Rung, decide};
+use crate::measure::{self, Asked, Decision, Doubt, Metric, Reading, Rung, decide_either};
 use crate::model::{Quantity, sizes};
 use crate::record::stability::Stability;
 use crate::record::{
-    Drift, EnergyDrift, EnergyRung, EngineRow, Ladder, Measurement, Order, OrderStatus, ReferenceEvidence,
+    Drift, EnergyDrift, EnergyRung, EngineRow, Evidence, Measurement, Order, OrderStatus, ReferenceEvidence,
     ReferenceRow, RunStatus, SceneRow, SchemeRow, to_digits,
 };
 use crate::reference::Reference;
@@ -170,13 +170,15 @@ pub(super) fn not_applicable(names: &Names, reason: &str) -> Measurement {
     }
 }
 
-pub(super) fn orders(names: &Names, ladder: &Ladder) -> Vec<Order> {
-    Quantity::ALL.into_iter().map(|quantity| order(names, ladder, quantity)).collect()
+pub(super) fn orders(names: &Names, evidence: &Evidence) -> Vec<Order> {
+    Quantity::ALL.into_iter().map(|quantity| order(names, evidence, quantity)).collect()
 }
 
 /// What the rule of orders says of a quantity.
-fn order(names: &Names, ladder: &Ladder, quantity: Quantity) -> Order {
-    let asked = Asked::of(ladder, quantity);
+fn order(names: &Names, evidence: &Evidence, quantity: Quantity) -> Order {
+    let ladder = &evidence.ladder;
+    let (decision, finer) = decide_either(ladder, evidence.precise.as_ref(), quantity);
+    let asked = Asked::of(finer.unwrap_or(ladder), quantity);
     let last = asked.runs.last();
     let mut row = Order {
         scene: names.scene.to_owned(),
@@ -187,7 +189,7 @@ fn order(names: &Names, ladder: &Ladder, quantity: Quantity) -> Order {
         unit: quantity.unit().to_owned(),
         ..Order::default()
     };
-    match decide(&asked) {
+    match decision {
         Decision::Order(found) => {
             let (low, high) = found.bounds();
             // The pairs of runs that r fell over.

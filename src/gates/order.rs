@@ -10,7 +10,7 @@
 
 use super::{Baseline, SOLVED_TO, on_record, promised_exact, ruled};
 use crate::claim::Claim;
-use crate::measure::{Asked, BELOW, Decision, Doubt, HIGHEST, Order, Run, decide, start_allows};
+use crate::measure::{Asked, BELOW, Decision, Doubt, HIGHEST, Order, Run, decide_either, start_allows};
 use crate::model::Quantity;
 use crate::record::{ClaimName, Evidence, Ruling, Rung, Verdict, length};
 
@@ -29,18 +29,26 @@ pub(super) fn judge(evidence: &Evidence, baseline: &Baseline) -> Vec<Verdict> {
         return vec![broke];
     }
     let judged = Quantity::ALL.into_iter().filter(|quantity| !does_not_turn(evidence, *quantity));
-    let decided: Vec<(Quantity, Decision)> =
-        judged.map(|quantity| (quantity, decide(&Asked::of(&evidence.ladder, quantity)))).collect();
+    let decide = |quantity| {
+        let (decision, finer) = decide_either(&evidence.ladder, evidence.precise.as_ref(), quantity);
+        (quantity, decision, finer.is_some())
+    };
+    let decided: Vec<(Quantity, Decision, bool)> = judged.map(decide).collect();
     let mut verdicts: Vec<Verdict> = Vec::new();
-    for (quantity, decision) in &decided {
+    for (quantity, decision, precise) in &decided {
         verdicts.extend(judge_start(evidence, *quantity).filter(|_| evidence.program));
         // An order that is judged says whether the runs converge.
         let order = judge_order(evidence, *quantity, decision);
-        let order = order.unwrap_or_else(|| judge_convergence(evidence, *quantity, decision));
+        let mut order = order.unwrap_or_else(|| judge_convergence(evidence, *quantity, decision));
         let order_fails = order.claim == ClaimName::Order && order.verdict == Ruling::Fail;
+        if *precise {
+            order.detail += ", in double-double";
+        }
         verdicts.push(order);
-        verdicts.extend(judge_jump(evidence, *quantity, decision));
-        verdicts.extend(judge_odd(evidence, *quantity, decision));
+        // Both are of the runs in f64, whose order double-double does not tell.
+        let of_f64 = if *precise { None } else { Some(decision) };
+        verdicts.extend(judge_jump(evidence, *quantity, of_f64));
+        verdicts.extend(of_f64.and_then(|decision| judge_odd(evidence, *quantity, decision)));
         verdicts.extend(on_record::judge_quantity(evidence, *quantity, (decision, order_fails), baseline));
     }
     if let Some(reason) = &evidence.setting.not_for_order {
@@ -48,7 +56,7 @@ pub(super) fn judge(evidence: &Evidence, baseline: &Baseline) -> Vec<Verdict> {
     }
     let found =
         |decision: &Decision| if let Decision::Order(found) = decision { Some(found.order) } else { None };
-    let orders = || decided.iter().filter_map(|(_, decision)| found(decision));
+    let orders = || decided.iter().filter_map(|(_, decision, _)| found(decision));
     verdicts.extend(judge_generic(evidence, orders().min()));
     verdicts.extend(evidence.ladder.cause.iter().map(|cause| {
         ruled(
@@ -128,8 +136,8 @@ fn judge_convergence(evidence: &Evidence, quantity: Quantity, decision: &Decisio
 
 /// A fall of an error from one run to the next that the order does not explain: named above [`NAMED`], and a failure where the error vanishes
 /// into its rounding from more than the highest order makes of a halving. An error of the size of the motion falls as it likes.
-fn judge_jump(evidence: &Evidence, quantity: Quantity, decision: &Decision) -> Option<Verdict> {
-    let order = if let Decision::Order(found) = decision { found.order } else { HIGHEST };
+fn judge_jump(evidence: &Evidence, quantity: Quantity, decision: Option<&Decision>) -> Option<Verdict> {
+    let order = if let Some(Decision::Order(found)) = decision { found.order } else { HIGHEST };
     let asked = Asked::of(&evidence.ladder, quantity);
     let samples = asked.times.len();
     let fall = |pair: &[Run]| {
@@ -221,7 +229,10 @@ fn judge_odd(evidence: &Evidence, quantity: Quantity, decision: &Decision) -> Op
     };
     let wrong = |rung: &&Rung| {
         let odd = Run::of(rung, quantity, &ladder.arms);
-        let floor = asked.floor(&odd, 1).max(rung.solves as f64 * SOLVED_TO * asked.scale);
+        // A composition rounds the state in each of its parts, of which an evaluation is one; the parts of a step are many.
+        let of_parts = f64::EPSILON * rung.evaluations as f64 * asked.scale;
+        let of_solves = rung.solves as f64 * SOLVED_TO * asked.scale;
+        let floor = asked.floor(&odd, 1).max(of_parts).max(of_solves);
         let asked_for = rung.steps > MOST_GIANT || promised_exact(evidence, quantity);
         whole && asked_for && rung.broken.is_none() && floor <= BELOW * asked.scale && off(&odd) > Some(floor)
     };

@@ -173,8 +173,7 @@ impl Whole {
         let whole: Vec<usize> = (0..rows.len()).filter(has).collect();
         let pick =
             |of: &[Snapshot]| grid.iter().copied().chain(whole.iter().map(|index| of[*index])).collect();
-        let (times, uncertainty, sources) = (Vec::new(), Vec::new(), Vec::new());
-        let reference = Reference { times, states: pick(truth), uncertainty, sources };
+        let reference = Reference { states: pick(truth), ..Reference::default() };
         Whole { parts, states: pick(states), reference, last: whole.last().copied() }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::ladder::{Climbed, Truth, shortened};
 use super::order::{Asked, Decision, decide};
+use super::precise::Precise;
 use crate::model::{Quantity, System};
 use crate::record::{self, length};
 use crate::reference::Reference;
@@ -22,7 +23,7 @@ const MOST_STEPS: u64 = 1 << 17;
 const MOST_HALVINGS: u32 = 10;
 /// Least order that has a run between any two halvings: few of them lie between errors of the size of the motion and rounding.
 const HIGH_ORDER: u32 = 6;
-/// Evaluations of a run of an adaptive solver after which the ladder ends, …
+/// Evaluations of a run of an adaptive solver after which a ladder of [`FEWEST_RUNGS`] ends, …
 const MOST_EVALUATIONS: u64 = 60_000;
 /// … and its tolerances: none is looser, and solvers in f64 fail below.
 const TOLERANCE: std::ops::RangeInclusive<f64> = 1e-12..=0.1;
@@ -53,21 +54,27 @@ pub fn climb_within(
     bounds: Bounds,
 ) -> Climbed {
     let phase = phase(system, reference);
-    let truth = Truth::new(system, reference, quarters(reference, phase));
+    // Sample times cut the steps of a solver that chooses them: over a turn or two there is one before the end.
+    let fewest = if contestant.chooses_steps() { 0 } else { 1 };
+    let truth = Truth::new(system, reference, quarters(reference, phase).max(fewest));
     let mut climbed = Climbed {
         model: contestant.model(system),
         ladder: truth.ladder(),
+        precise: None,
+        exactness: None,
         rungs: Vec::new(),
         finest: [Vec::new(), Vec::new()],
         truth: Vec::new(),
     };
-    for steps in steps(contestant, phase, order.unwrap_or_default(), bounds) {
+    let precise = Precise::new(contestant, &truth);
+    let steps = steps(contestant, phase, order.unwrap_or_default(), bounds);
+    for steps in steps.iter().copied() {
         let (rung, shown, states) = truth.run(contestant, steps, &mut climbed.ladder);
         climbed.ladder.rungs.push(rung);
         climbed.rungs.push(shown);
         climbed.finest.swap(0, 1);
         climbed.finest[0] = states;
-        if climbed.refusal().is_some() || is_done(contestant, &climbed, order) {
+        if climbed.refusal().is_some() || is_done(contestant, &climbed, order, precise.is_some()) {
             break;
         }
     }
@@ -77,8 +84,13 @@ pub fn climb_within(
         steps => steps.map(|steps| 3 * steps / 2 + 1).into_iter().collect(),
     };
     climbed.ladder.odd = odd.into_iter().map(|steps| truth.odd(contestant, steps)).collect();
+    if let Some(precise) = precise {
+        climbed.precise = precise.climb(&climbed.ladder, &steps, order.unwrap_or_default());
+        climbed.exactness = steps.first().and_then(|first| precise.exactness(&climbed.ladder, *first));
+    }
     climbed.truth = truth.states();
     shortened(&mut climbed.ladder);
+    climbed.precise.iter_mut().chain(&mut climbed.exactness).for_each(shortened);
     climbed
 }
 
@@ -98,11 +110,11 @@ fn phase(system: &System, reference: &Reference) -> f64 {
     fastest.max(system.forces.fastest_clock()) * reference.times[reference.times.len() - 1]
 }
 
-/// How often the duration is quartered down to the first turn, once at least.
+/// How often the duration is quartered down to the first turn.
 fn quarters(reference: &Reference, phase: f64) -> u32 {
     let turns = (phase / std::f64::consts::TAU).max(1.0);
     let most = (reference.times.len() - 1).ilog2() / 2;
-    (turns.log2() / 2.0).floor().clamp(1.0, f64::from(most)) as u32
+    (turns.log2() / 2.0).floor().min(f64::from(most)) as u32
 }
 
 /// The steps of the runs, each twice as many as before, and from [`HIGH_ORDER`] on 3/2 and 4/3 times as many by turns; so are those of a solver
@@ -130,8 +142,8 @@ fn steps(contestant: &Contestant, phase: f64, order: u32, bounds: Bounds) -> Vec
     }
 }
 
-/// Whether finer runs would not change the answer.
-fn is_done(contestant: &Contestant, climbed: &Climbed, order: Option<u32>) -> bool {
+/// Whether finer runs would not change the answer; where double-double takes over, rounding ends it too.
+fn is_done(contestant: &Contestant, climbed: &Climbed, order: Option<u32>, precise: bool) -> bool {
     let Some(finest) = climbed.ladder.rungs.last() else { return false };
     let exact = |quantity| {
         let asked = Asked::of(&climbed.ladder, quantity);
@@ -145,9 +157,11 @@ fn is_done(contestant: &Contestant, climbed: &Climbed, order: Option<u32>) -> bo
         Decision::Undecided(_) => false,
     };
     let at_rounding = Quantity::ALL.into_iter().all(exact);
+    let decided_or_rounding = |quantity| decided(quantity) || (precise && exact(quantity));
     if contestant.chooses_steps() {
-        return finest.evaluations > MOST_EVALUATIONS || at_rounding;
+        let is_enough = climbed.rungs.len() >= FEWEST_RUNGS && finest.evaluations > MOST_EVALUATIONS;
+        return is_enough || at_rounding;
     }
     let is_fine = climbed.rungs.len() >= FEWEST_RUNGS && (finest.steps >= FINE || at_rounding);
-    is_fine && (order.is_none() || at_rounding || Quantity::ALL.into_iter().all(decided))
+    is_fine && (order.is_none() || at_rounding || Quantity::ALL.into_iter().all(decided_or_rounding))
 }

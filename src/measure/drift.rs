@@ -66,7 +66,7 @@ pub fn rate_order(drift: &EnergyDrift) -> Decision {
         }
     };
     let runs = drift.rungs.iter().map(run).collect();
-    decide(&Asked { runs, times: &[1.0], scale: 0.0, unit: 0.0, uncertainty: 0.0 })
+    decide(&Asked::in_f64(runs, &[1.0], 0.0))
 }
 
 /// Measures the drift; `None` for a body under torque, without spin, too near the separatrix for many periods, or

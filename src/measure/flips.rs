@@ -50,7 +50,7 @@ pub fn flip_order(flips: &Flips, open: f64) -> Decision {
         }
     };
     let runs = flips.rungs.iter().map(run).collect();
-    decide(&Asked { runs, times: &truth.times[..common], scale: flips.duration, unit: 0.0, uncertainty: 0.0 })
+    decide(&Asked::in_f64(runs, &truth.times[..common], flips.duration))
 }
 
 /// Whether a run has the flips of the truth. One more or less is the same where it lies no further from the end of the run than ten times

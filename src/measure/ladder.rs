@@ -5,13 +5,15 @@ use nalgebra::Vector3;
 use super::copies;
 use super::order::{Asked, Decision, Run, decide};
 use super::{ALL, FOLLOWS, Reading, Sight, errors};
+use crate::arithmetic::Real;
 use crate::model::body::{Body, Shape};
 use crate::model::copies::CLEAR;
 use crate::model::{Broken, PerQuantity, Quantity, Snapshot, System, sizes};
 use crate::record::{self, length, to_digits};
 use crate::reference::Reference;
+use crate::reference::precise::Moment;
 use crate::rotation;
-use crate::simulate::{Contestant, Form, Outcome, Plan, Program};
+use crate::simulate::{Break, Contestant, Form, Outcome, Plan, Program};
 
 /// So many digits hold every double.
 const ALL_DIGITS: usize = 16;
@@ -27,6 +29,10 @@ pub struct Climbed {
     pub model: &'static str,
     /// What gates read.
     pub ladder: record::Ladder,
+    /// The same in double-double, where f64 leaves an order open.
+    pub precise: Option<record::Ladder>,
+    /// Runs in double-double to the first sample time, where a quantity is promised to be exact.
+    pub exactness: Option<record::Ladder>,
     /// The runs, step falling, as tables show them.
     pub rungs: Vec<Rung>,
     /// States of the two finest runs at equal intervals, the finest first.
@@ -68,20 +74,22 @@ impl Rung {
 
 /// What every run of a ladder is compared with.
 pub(super) struct Truth<'a> {
-    system: &'a System,
+    pub(super) system: &'a System,
     /// The truth at equal intervals of the run; its states stand beside those of every run.
     reference: Reference,
     /// Indices of the sample times among them; the first, the start, is left out.
-    samples: Vec<usize>,
+    pub(super) samples: Vec<usize>,
     arms: Vec<[f64; 3]>,
 }
 
 impl<'a> Truth<'a> {
-    /// With the sample times that begin with the quarter of the quarter … of the end, as often as `quarters` says.
+    /// With the sample times that begin with the quarter of the quarter … of the end, as often as `quarters` says; with the
+    /// middle and the end for none.
     pub fn new(system: &'a System, reference: &Reference, quarters: u32) -> Truth<'a> {
-        let last = 1usize << (2 * quarters);
+        let last = (1usize << (2 * quarters)).max(2);
         let early = (1..=quarters).rev().map(|quarter| last >> (2 * quarter));
-        let samples = early.chain([last / 2, 3 * last / 4, last]).collect();
+        let mut samples: Vec<usize> = early.chain([last / 2, 3 * last / 4, last]).collect();
+        samples.dedup();
         let reference = reference.thinned((reference.times.len() - 1) / last);
         Truth { system, reference, samples, arms: arms(&system.body) }
     }
@@ -97,8 +105,23 @@ impl<'a> Truth<'a> {
         }
     }
 
-    fn duration(&self) -> f64 {
-        self.reference.times[self.reference.times.len() - 1]
+    pub fn duration(&self) -> f64 {
+        self.time(self.intervals() as usize)
+    }
+
+    /// Equal intervals of the run.
+    pub fn intervals(&self) -> u64 {
+        self.reference.times.len() as u64 - 1
+    }
+
+    /// The end of so many intervals [s].
+    pub fn time(&self, index: usize) -> f64 {
+        self.reference.times[index]
+    }
+
+    /// The truth to 31 digits after so many intervals.
+    pub fn moment(&self, index: usize) -> Option<&Moment> {
+        self.reference.moment(self.time(index))
     }
 
     /// The truth at the equal intervals of every run.
@@ -118,13 +141,12 @@ impl<'a> Truth<'a> {
         steps: u64,
         ladder: &mut record::Ladder,
     ) -> (record::Rung, Rung, Vec<Snapshot>) {
-        let intervals = self.reference.states.len() as u64 - 1;
-        let plan = Plan::over(self.duration(), steps, intervals);
+        let plan = Plan::over(self.duration(), steps, self.intervals());
         let run = contestant.run(self.system, Form::Least, &plan);
         (ladder.arithmetic, ladder.printed) = units(contestant.program());
         self.look_at_start(&run.states, ladder);
         let (states, truth) = (self.sampled(&run.states), self.sampled(&self.reference.states));
-        let mut rung = self.vectors(&plan, &run.outcome, &states, &truth);
+        let mut rung = measured(&self.system.body, &plan, &run.outcome, &states, &truth);
         let mut shown = Rung {
             step: plan.step,
             steps,
@@ -153,7 +175,7 @@ impl<'a> Truth<'a> {
         let run = contestant.run(self.system, Form::Least, &plan);
         let end = |states: &[Snapshot]| states.get(1..).unwrap_or_default().to_vec();
         let (states, truth) = (end(&run.states), &self.reference.states[self.reference.states.len() - 1..]);
-        let mut rung = self.vectors(&plan, &run.outcome, &states, truth);
+        let mut rung = measured(&self.system.body, &plan, &run.outcome, &states, truth);
         if rung.broken.is_none() {
             self.add_rounding(contestant, &mut rung, &plan, (&states, end));
         }
@@ -167,41 +189,9 @@ impl<'a> Truth<'a> {
         }
     }
 
-    /// Error vectors of a run at the sample times.
-    fn vectors(
-        &self,
-        plan: &Plan,
-        outcome: &Outcome,
-        states: &[Snapshot],
-        truth: &[Snapshot],
-    ) -> record::Rung {
-        let mut rung = record::Rung {
-            step: plan.step,
-            steps: plan.steps,
-            broken: outcome.broken.as_ref().map(ToString::to_string),
-            unsolved: outcome
-                .broken
-                .as_ref()
-                .is_some_and(|broken| matches!(broken.why, Broken::NoConvergence { .. })),
-            evaluations: outcome.evaluations,
-            solves: outcome.solves,
-            iterations: outcome.iterations,
-            ..record::Rung::default()
-        };
-        if rung.broken.is_none() {
-            rung.errors = between(&self.system.body, states, truth);
-            rung.rounding = PerQuantity::of(|_| vec![0.0; truth.len()]);
-            if states.len() < truth.len() || rung.errors.values().flatten().any(|x| !x.is_finite()) {
-                rung.broken = Some("a state of the run is missing or not finite".to_owned());
-                rung.errors = PerQuantity::default();
-            }
-        }
-        rung
-    }
-
     /// Takes in the distances of the copies from the run, at the states that `sampled` takes of each. A copy that breaks is no evidence of
     /// rounding. Runs that choose their own steps have no copies: those would choose others.
-    fn add_rounding(
+    pub fn add_rounding(
         &self,
         contestant: &Contestant,
         rung: &mut record::Rung,
@@ -233,6 +223,36 @@ impl<'a> Truth<'a> {
     }
 }
 
+/// Error vectors of a run at the sample times.
+pub(super) fn measured<T: Real>(
+    body: &Body<T>,
+    plan: &Plan,
+    outcome: &Outcome,
+    states: &[Snapshot<T>],
+    truth: &[Snapshot<T>],
+) -> record::Rung {
+    let unsolved = |broken: &Break| matches!(broken.why, Broken::NoConvergence { .. });
+    let mut rung = record::Rung {
+        step: plan.step,
+        steps: plan.steps,
+        broken: outcome.broken.as_ref().map(ToString::to_string),
+        unsolved: outcome.broken.as_ref().is_some_and(unsolved),
+        evaluations: outcome.evaluations,
+        solves: outcome.solves,
+        iterations: outcome.iterations,
+        ..record::Rung::default()
+    };
+    if rung.broken.is_none() {
+        rung.errors = between(body, states, truth);
+        rung.rounding = PerQuantity::of(|_| vec![0.0; truth.len()]);
+        if states.len() < truth.len() || rung.errors.values().flatten().any(|x| !x.is_finite()) {
+            rung.broken = Some("a state of the run is missing or not finite".to_owned());
+            rung.errors = PerQuantity::default();
+        }
+    }
+    rung
+}
+
 /// Body axes from the centre of mass to points that stand for the body [m].
 fn arms(body: &Body) -> Vec<[f64; 3]> {
     match body.shape {
@@ -254,12 +274,12 @@ fn spread(body: &Body, axis: usize) -> f64 {
 }
 
 /// The differences of two runs, as vectors in which errors add.
-pub fn between(body: &Body, a: &[Snapshot], b: &[Snapshot]) -> PerQuantity<Vec<f64>> {
+pub fn between<T: Real>(body: &Body<T>, a: &[Snapshot<T>], b: &[Snapshot<T>]) -> PerQuantity<Vec<f64>> {
     PerQuantity::of(|quantity| a.iter().zip(b).flat_map(|(a, b)| vector(body, quantity, a, b)).collect())
 }
 
-fn vector(body: &Body, quantity: Quantity, a: &Snapshot, b: &Snapshot) -> Vec<f64> {
-    let of = |v: Vector3<f64>| vec![v.x, v.y, v.z];
+fn vector<T: Real>(body: &Body<T>, quantity: Quantity, a: &Snapshot<T>, b: &Snapshot<T>) -> Vec<f64> {
+    let of = |v: Vector3<T>| v.iter().map(|x| x.to_f64()).collect();
     match (quantity, &body.shape) {
         (Quantity::Position, _) => of(a.position - b.position),
         (Quantity::Velocity, _) => of(a.velocity - b.velocity),
@@ -272,7 +292,7 @@ fn vector(body: &Body, quantity: Quantity, a: &Snapshot, b: &Snapshot) -> Vec<f6
                 - b.orientation.to_rotation_matrix().into_inner();
             match shape {
                 Shape::Rod { direction } => of(turn * (direction / rotation::length(direction))),
-                _ => turn.iter().map(|x| x * std::f64::consts::FRAC_1_SQRT_2).collect(),
+                _ => turn.iter().map(|x| x.to_f64() * std::f64::consts::FRAC_1_SQRT_2).collect(),
             }
         }
     }
@@ -289,6 +309,11 @@ fn floors(ladder: &record::Ladder, rung: &record::Rung) -> PerQuantity<Reading> 
         let largest = rounding.iter().copied().fold(0.0, super::larger);
         Reading { end: at(rounding.last().copied().unwrap_or(f64::NAN)), max: at(largest) }
     })
+}
+
+/// How far the first state of a run may be from the start of the scene: what its arithmetic and its digits allow.
+pub fn start_allows(ladder: &record::Ladder, quantity: Quantity) -> f64 {
+    CLEAR * (ladder.arithmetic + ladder.printed) * ladder.sizes[quantity]
 }
 
 /// The digits that the evidence keeps: all of them where runs converge to another motion, which their small differences show.

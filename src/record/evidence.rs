@@ -34,6 +34,12 @@ pub struct Evidence {
     pub refused: Option<String>,
     /// Runs of halved steps.
     pub ladder: Ladder,
+    /// The same in double-double, where f64 leaves an order open.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub precise: Option<Ladder>,
+    /// Runs in double-double to the first sample time, where a quantity is promised to be exact.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub exactness: Option<Ladder>,
     /// Long runs of a free body.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drift: Option<EnergyDrift>,
@@ -116,6 +122,9 @@ pub struct Ladder {
     /// Uncertainty of the truth, in the unit of the quantity.
     #[serde(with = "packed::numbers")]
     pub uncertainty: PerQuantity<f64>,
+    /// Whether the runs are in double-double.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub double_double: bool,
     /// Unit in the last place of the arithmetic, relative.
     pub arithmetic: f64,
     /// Half a unit in the last place that a program prints, relative; 0 where it prints all digits.

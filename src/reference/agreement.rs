@@ -15,6 +15,7 @@ use super::ReferenceError;
 #[cfg(feature = "solvers")]
 use super::best::by_solvers;
 use super::best::{Best, gather};
+use super::precise::Moment;
 use super::sources::{Role, Source};
 use super::stored::{Solution, Stored};
 use crate::model::{PerQuantity, Quantity, Snapshot, System, difference};
@@ -27,7 +28,7 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 const OTHER_SYSTEM: f64 = 1e-6;
 
 /// A motion known as well as f64 allows, and how well that is.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Reference {
     /// j T / samples for j = 0 … samples [s].
     pub times: Vec<f64>,
@@ -37,6 +38,8 @@ pub struct Reference {
     pub uncertainty: Vec<PerQuantity<f64>>,
     /// What it rests on.
     pub sources: Vec<Source>,
+    /// The same to 31 digits, where the series is the best estimate and f64 holds the fraction of the duration.
+    pub(crate) moments: Vec<Moment>,
 }
 
 impl Reference {
@@ -72,11 +75,15 @@ impl Reference {
     }
 
     fn of_best(system: &System, times: Vec<f64>, best: Best) -> Reference {
-        let Best { states, mut uncertainty, sources } = best;
+        let Best { states, mut uncertainty, sources, moments } = best;
         for (uncertainty, state) in uncertainty.iter_mut().zip(&states) {
             *uncertainty = uncertainty.max(rounding(system, state));
         }
-        Reference { times, states, uncertainty, sources }
+        let samples = times.len() - 1;
+        let moments = moments.into_iter().enumerate();
+        let moments = moments.filter(|(j, moment)| is_part(moment.time, *j, samples, times[samples]));
+        let moments = moments.map(|(_, moment)| moment).collect();
+        Reference { times, states, uncertainty, sources, moments }
     }
 
     /// The same motion at every `every`-th time, for runs of fewer steps than there are times.
@@ -86,7 +93,13 @@ impl Reference {
             states: self.states.iter().copied().step_by(every).collect(),
             uncertainty: self.uncertainty.iter().copied().step_by(every).collect(),
             sources: self.sources.clone(),
+            moments: self.moments.clone(),
         }
+    }
+
+    /// The motion at a time, to 31 digits.
+    pub(crate) fn moment(&self, time: f64) -> Option<&Moment> {
+        self.moments.iter().find(|moment| moment.time == time)
     }
 
     /// Largest uncertainty over the run.
@@ -205,6 +218,12 @@ fn grid(duration: f64, samples: usize) -> Result<Vec<f64>, ReferenceError> {
         return Err(ReferenceError::Grid { duration, samples });
     }
     Ok((0..=samples).map(|j| j as f64 * duration / samples as f64).collect())
+}
+
+/// Whether a time is j/n of the duration to the last bit.
+fn is_part(time: f64, j: usize, n: usize, duration: f64) -> bool {
+    let part = j as f64 * duration;
+    (j as f64).mul_add(duration, -part) == 0.0 && time.mul_add(n as f64, -part) == 0.0
 }
 
 /// The largest of each quantity.

@@ -15,7 +15,7 @@ use super::ReferenceError;
 use super::closed::{self, Closed};
 #[cfg(feature = "solvers")]
 use super::nudge::{DIRECTIONS, nudged_matrix};
-use super::precise::{self, AFFORDABLE, Motion};
+use super::precise::{self, AFFORDABLE, Moment, Motion};
 #[cfg(feature = "solvers")]
 use super::solvers::{Pair, two_solutions};
 use super::sources::{Role, Source};
@@ -44,6 +44,8 @@ pub(super) struct Best {
     pub states: Vec<Snapshot>,
     pub uncertainty: Vec<PerQuantity<f64>>,
     pub sources: Vec<Source>,
+    /// The same to 31 digits, where the series is the best estimate.
+    pub moments: Vec<Moment>,
 }
 
 /// All that can be known of `system` at `times` [s]; `rounding` tells that of a state.
@@ -108,13 +110,15 @@ fn of_taylor(motion: &Motion) -> Best {
     Best {
         states: motion.moments.iter().map(precise::Moment::snapshot).collect(),
         uncertainty: motion.moments.iter().map(|moment| moment.error).collect(),
+        moments: motion.moments.clone(),
         sources: vec![Source { name: "taylor".to_owned(), detail, role: Role::Best, disagreement: None }],
     }
 }
 
 fn of_closed(closed: &Closed) -> Best {
     let sources = vec![closed_source(closed, Role::Best)];
-    Best { states: closed.states.clone(), uncertainty: closed.uncertainty.clone(), sources }
+    let (states, uncertainty) = (closed.states.clone(), closed.uncertainty.clone());
+    Best { states, uncertainty, sources, moments: Vec::new() }
 }
 
 fn closed_source(closed: &Closed, role: Role) -> Source {
@@ -137,7 +141,8 @@ fn of_solvers(system: &System, times: &[f64], pair: &Pair) -> Best {
         }
         largest
     });
-    Best { uncertainty: uncertainty.collect(), states: pair.best.states.clone(), sources: Vec::new() }
+    let (states, uncertainty) = (pair.best.states.clone(), uncertainty.collect());
+    Best { states, uncertainty, sources: Vec::new(), moments: Vec::new() }
 }
 
 struct Judge<'a> {

@@ -37,7 +37,7 @@ pub fn judge(rungs: &[(f64, f64, f64)], order: u32) -> Ruling {
         rounding: vec![*rounding],
     };
     let runs = rungs.iter().map(run).collect();
-    match decide(&Asked { runs, times: &[1.0], scale: 0.0, unit: 0.0, uncertainty: 0.0 }) {
+    match decide(&Asked::in_f64(runs, &[1.0], 0.0)) {
         Decision::Exact => Ruling::NotApplicable,
         Decision::Order(found) if found.order == order => Ruling::Pass,
         Decision::Order(_) | Decision::Elsewhere { .. } => Ruling::Fail,

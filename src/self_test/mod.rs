@@ -4,6 +4,7 @@
 //! shows of its state, in the reference, in a metric, in what is claimed, or in the judge of orders. It is judged in scene after scene until two gates have caught
 //! it.
 
+mod beyond_f64;
 mod copy;
 mod faint;
 mod flaw;
@@ -98,6 +99,7 @@ fn defects() -> Vec<Defect> {
     });
     let others = [
         ("scheme", faint::FAINT),
+        ("scheme", beyond_f64::BEYOND_F64),
         ("law", planted::LAWS),
         ("start", planted::STARTS),
         ("shown", planted::SHOWN),

@@ -36,7 +36,7 @@ impl Form {
 }
 
 /// Most steps of a run of a scheme …
-const MOST_STEPS: u64 = 1 << 20;
+const MOST_STEPS: u64 = 1 << 21;
 /// … and of a foreign program, whose steps may cost a thousand times more.
 const MOST_FOREIGN_STEPS: u64 = 1 << 15;
 

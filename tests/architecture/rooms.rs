@@ -109,6 +109,7 @@ const EDGES: &[(&str, &[&str])] = &[
     (
         "self_test",
         &[
+            "arithmetic",
             "campaign",
             "claim",
             "gates",

@@ -2,7 +2,7 @@
 
 use polhode::record::ClaimName::Exact;
 use polhode::record::Ruling::{Broken, Fail, Inconclusive, NotApplicable, Pass};
-use polhode::record::{PointRun, Ruling};
+use polhode::record::{Ladder, PointRun, Ruling};
 use polhode::schemes::{Claim, Quantity, When};
 
 use super::case::{FLOOR, Made, ROUNDING, RUNS, numbers, power};
@@ -138,4 +138,30 @@ fn the_momentum_of_the_points_may_change_by_the_rounding_of_its_sums() {
     assert_eq!([ruling(bound + 0.99e-12, 1e-12), ruling(bound + 1.01e-12, 1e-12)], [Pass, Fail]);
     assert_eq!(at(Quantity::AngularMomentum, None, 0.0).quantities(Exact), ["angular-momentum"]);
     assert_eq!(at(Quantity::Velocity, Some(1.0), 0.0).quantities(Exact), ["velocity"]);
+}
+
+#[test]
+fn what_is_exact_in_double_double_is_at_its_rounding_in_f64_too() {
+    let one = |error: f64| std::array::from_fn::<f64, RUNS, _>(|run| if run == 3 { error } else { 0.0 });
+    let [rounds, off] = [0.5, 2.0].map(|of_floor| turn(&one(of_floor * FLOOR), ROUNDING));
+    let second = turn(&power(2.0), ROUNDING);
+    for (error, of_rounding) in [(0.0, Pass), (1e-29, Pass), (1e-20, Fail)] {
+        let finer = turn(&one(error), 1e-30).evidence.ladder;
+        for (made, expected) in [(&rounds, of_rounding), (&off, Fail), (&second, Fail)] {
+            let mut made = made.clone();
+            made.evidence.exactness = Some(Ladder { double_double: true, ..finer.clone() });
+            assert_eq!(made.ruling(Exact, "orientation"), expected, "{error}");
+        }
+    }
+    // Where f64 leaves more than a tenth of the quantity open, double-double decides.
+    let mut made = turn(&one(0.0), 1.0);
+    assert_eq!(made.ruling(Exact, "orientation"), Inconclusive);
+    made.evidence.exactness = Some(Ladder { double_double: true, ..turn(&one(0.0), 1e-30).evidence.ladder });
+    assert_eq!(made.ruling(Exact, "orientation"), Pass);
+    // Of one run that came to its end nothing is decided: f64 decides.
+    let mut made = turn(&[0.0; RUNS], ROUNDING);
+    let mut finer = turn(&one(1e-20), 1e-30).evidence.ladder;
+    finer.rungs = vec![finer.rungs[3].clone()];
+    made.evidence.exactness = Some(Ladder { double_double: true, ..finer });
+    assert_eq!(made.ruling(Exact, "orientation"), Pass);
 }

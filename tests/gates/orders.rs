@@ -4,7 +4,7 @@ use polhode::gates::Baseline;
 use polhode::internals::measure::{Asked, Decision, Doubt, decide};
 use polhode::record::ClaimName::{self, Constant, Converges, ErrorOnRecord, Order, Run, Start};
 use polhode::record::Ruling::{self, Broken, Fail, Inconclusive, NotApplicable, Pass};
-use polhode::record::Verdict;
+use polhode::record::{Ladder, Verdict};
 use polhode::scenes;
 use polhode::schemes::{Claim, Quantity, When};
 
@@ -326,4 +326,35 @@ fn the_error_of_every_run_is_that_on_record_to_a_half_of_it() {
     assert_eq!([at(&exact, 0.25, 0.0), at(&exact, 0.25, 1.0)], [vec![Pass], vec![Fail]]);
     assert_eq!(at(&second.clone().broken(0), 1.0, 1.0), [Fail]);
     assert_eq!(at(&second.broken(0), 0.5, 0.25), [Pass]);
+}
+
+#[test]
+fn an_order_that_f64_leaves_open_is_decided_in_double_double() {
+    let sixth = |order, rounding| {
+        Made::new("kovalevskaya", &[Claim::Order(6)]).with_errors(POSITION, &power(order), rounding)
+    };
+    let finer = |order| Some(Ladder { double_double: true, ..sixth(order, 0.0).evidence.ladder });
+    // Two errors of order 6 stand clear of this rounding, and the rule needs four.
+    for (order, expected) in [(6.0, Pass), (7.0, Pass), (5.0, Fail)] {
+        let mut made = sixth(order, 1e-4);
+        assert_eq!(made.ruling(Order, "position"), Inconclusive, "{order}");
+        made.evidence.precise = finer(order);
+        assert_eq!(made.ruling(Order, "position"), expected, "{order}");
+        // Runs in f64 that differ by more than rounding have another error.
+        made.evidence.precise = finer(order - 2.0);
+        assert_eq!(made.ruling(Order, "position"), Inconclusive, "{order}");
+    }
+    let mut made = sixth(6.0, ROUNDING);
+    made.evidence.precise = finer(5.0);
+    // Where f64 decides, nothing else is asked.
+    assert_eq!(made.ruling(Order, "position"), Pass);
+    // The unit of double-double is that of a step: errors that f64 rounds away count.
+    let small: Vec<f64> = power(6.0).map(|error| 1e-16 * error).to_vec();
+    let tiny =
+        Made::new("kovalevskaya", &[Claim::Order(6)]).with_errors(POSITION, &small, 0.0).evidence.ladder;
+    let decided = |double_double| {
+        let ladder = Ladder { double_double, ..tiny.clone() };
+        matches!(decide(&Asked::of(&ladder, POSITION)), Decision::Order(found) if found.order == 6)
+    };
+    assert_eq!([false, true].map(decided), [false, true]);
 }

@@ -55,7 +55,7 @@ fn decided(noise: &mut Noise, order: i32, runs: i32, part: f64) -> Option<u32> {
         Run { step: h, steps: 1 << k, errors, rounding: vec![0.0; TIMES.len()] }
     };
     let runs = (0..runs).map(run).collect();
-    match decide(&Asked { runs, times: &TIMES, scale: 0.0, unit: 0.0, uncertainty: 0.0 }) {
+    match decide(&Asked::in_f64(runs, &TIMES, 0.0)) {
         Decision::Order(found) => Some(found.order),
         _ => None,
     }

@@ -6,7 +6,7 @@ use polhode::campaign::Campaign;
 use polhode::gates::{self, Baseline};
 use polhode::internals::gates::judge_reference;
 use polhode::record::Ruling::{self, Broken, Fail, Inconclusive, NotApplicable, Pass};
-use polhode::record::{ClaimName, Evidence, Records, ReferenceEvidence, SceneRow, Verdict};
+use polhode::record::{ClaimName, Evidence, Records, ReferenceEvidence, Rung, SceneRow, Verdict};
 use polhode::schemes::{Claim, Quantity};
 
 use super::case::{Made, numbers};
@@ -134,4 +134,27 @@ fn what_a_campaign_measured_is_a_baseline_that_it_meets_and_another_scheme_does_
     other.card.name = "peskin-rk2";
     let changed = Campaign { baseline, ..Campaign::of(scenes(), vec![other]) };
     assert!(constants(changed.run().verdicts).iter().any(|verdict| verdict.verdict == Fail));
+}
+
+#[test]
+fn what_f64_does_not_hold_is_measured_in_double_double_and_stored() {
+    for (scheme, scene) in [("strang-symmetric-8", "free-asymmetric"), ("course-code-euler", "fast-sphere")] {
+        let records = Campaign::of(vec![common::scene(scene)], vec![common::contestant(scheme)]).run();
+        let not_pass = |v: &&Verdict| !matches!(v.verdict, Pass | NotApplicable);
+        assert_eq!(records.verdicts.iter().find(not_pass), None, "{scheme}");
+        let evidence = &records.evidence[0];
+        let turn =
+            |rung: &Rung| rung.errors[Quantity::Orientation].iter().fold(0.0f64, |a, b| a.max(b.abs()));
+        if scheme == "strang-symmetric-8" {
+            let finer = evidence.precise.as_ref().expect("a ladder in double-double");
+            assert!(finer.double_double && turn(finer.rungs.last().expect("a run")) > 0.0);
+        } else {
+            let exact = evidence.exactness.as_ref().expect("runs in double-double");
+            // A hundred units of 2e-31 after up to 32 steps.
+            assert!(exact.rungs.len() >= 3 && exact.rungs.iter().all(|rung| turn(rung) < 1e-27));
+        }
+        let read: Records =
+            serde_json::from_str(&serde_json::to_string(&records).expect("JSON")).expect("records");
+        assert_eq!(gates::judge_all(&read, &Baseline::built_in()), records.verdicts, "{scheme}");
+    }
 }
