@@ -53,7 +53,7 @@ fn linear(rows: &[LinearLimit]) -> String {
             &three(Some(limit.zeta)),
             &three(limit.h_omega),
             &three(limit.theory_h_omega),
-            limit.theory.as_deref().unwrap_or("no theory by hand"),
+            limit.theory.as_deref().unwrap_or("none: its iteration ends first"),
             &limit.failure,
         ])
     };

@@ -178,7 +178,7 @@ pub fn linear_limit_in(scene: &str, bench: &Bench, contestant: &Contestant) -> O
     }
     let scheme = contestant.card.name;
     let (h_omega, above) = bench.limit(contestant);
-    let amplification = theory::amplification(scheme);
+    let theory = theory::limit_of_a_body(bench.zeta, contestant, NO_GROWTH);
     let failure = match &above {
         None => "stable at every step tried".to_owned(),
         Some(Growth::Rate(_)) => "energy grows".to_owned(),
@@ -190,8 +190,8 @@ pub fn linear_limit_in(scene: &str, bench: &Bench, contestant: &Contestant) -> O
         omega_rad_s: bench.omega,
         zeta: bench.zeta,
         h_omega,
-        theory_h_omega: amplification.and_then(|one| one.limit(bench.zeta, NO_GROWTH)),
-        theory: amplification.map(theory::Amplification::words),
+        theory_h_omega: theory.map(|(a, _)| a),
+        theory: theory.map(|(_, amplification)| amplification.words()),
         failure,
         growth_per_step: match above {
             Some(Growth::Rate(rate)) if rate.is_finite() => Some(rate),

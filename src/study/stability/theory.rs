@@ -16,14 +16,14 @@
 //!
 //! Source of (2): |1 + z + z²/2|² = 1 + 2 Re z + 2 (Re z)² + |z|² Re z + |z|⁴/4 with Re z = −ζa, |z| = a.
 //!
-//! Schemes that are no Runge–Kutta schemes act on (x, v) by a matrix of their own, or on a history.
+//! How any scheme acts on such a mode is derived from its own steps ([`Mode`]).
 
 use nalgebra::{Matrix3, Matrix6, SymmetricEigen, Vector3};
 
 use crate::model::System;
 use crate::model::forces::{Attachment, Law};
 
-pub use super::amplification::{Amplification, amplification};
+pub use super::amplification::{Amplification, Mode, limit_of_a_body};
 
 /// The left side of (2), or |λ_max| h − 2 from ζ = 1 on: at most zero where Peskin's scheme is stable.
 pub fn peskin_condition(a: f64, zeta: f64) -> f64 {

@@ -12,7 +12,7 @@ use crate::rotation::Rotation;
 use crate::simulate::{Contestant, Plan};
 use crate::study::ensemble::{Ensemble, Member};
 use crate::study::stability::bench::Amplitude;
-use crate::study::stability::theory::{self, Amplification};
+use crate::study::stability::theory::Mode;
 use crate::study::stability::{Growth, NO_GROWTH};
 
 /// Steps of a cell.
@@ -30,17 +30,6 @@ fn dragged(rate: f64) -> Option<System> {
 
 fn energy(system: &System, state: &Snapshot) -> f64 {
     system.kinetic_energy(state)
-}
-
-/// The largest hλ of a real decay.
-fn real_limit(amplification: Option<Amplification>) -> Option<f64> {
-    // With ζ = 1 both modes of the oscillator are the decay λ = ω itself.
-    match amplification? {
-        one @ (Amplification::RungeKutta(_)
-        | Amplification::AdamsBashforth(_)
-        | Amplification::Substeps(_)) => one.limit(1.0, 1e-9),
-        _ => None,
-    }
 }
 
 pub(super) fn map(contestant: &Contestant, cells: usize) -> Option<Map> {
@@ -65,7 +54,7 @@ pub(super) fn map(contestant: &Contestant, cells: usize) -> Option<Map> {
     map.title = "Stiff drag: step and drag".to_owned();
     map.what = "logarithmic growth a step of the speed; every point has the drag c".to_owned();
     map.edge = Some(0.0);
-    if let Some(limit) = real_limit(theory::amplification(contestant.card.name)) {
+    if let Some((limit, _)) = Mode::Decay.limit(contestant, 1e-9) {
         map.edge_off_theory = edge_off(&map, NO_GROWTH, |rate| Some(limit / rate));
         map.curves.push(curve(&format!("h c/m = {limit:.3}"), &map, |rate| Some(limit / rate)));
     }

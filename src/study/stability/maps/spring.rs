@@ -5,7 +5,7 @@ use super::{Grid, linear, logarithmic};
 use crate::record::stability::Map;
 use crate::scenes::Scene;
 use crate::simulate::Contestant;
-use crate::study::stability::theory::{self, Amplification};
+use crate::study::stability::theory;
 use crate::study::stability::{Bench, Growth, NO_GROWTH};
 
 /// Steps of a cell.
@@ -35,8 +35,8 @@ fn row(contestant: &Contestant, members: &[(Bench, f64)]) -> (Vec<Option<f64>>, 
 }
 
 /// The limit a(ζ) of a scheme without growth.
-fn limit(amplification: Option<Amplification>, zeta: f64) -> Option<f64> {
-    amplification?.limit(zeta, 1e-9)
+fn limit(contestant: &Contestant, zeta: f64) -> Option<f64> {
+    Some(theory::limit_of_a_body(zeta, contestant, 1e-9)?.0)
 }
 
 pub(super) fn stiffness(contestant: &Contestant, cells: usize) -> Option<Map> {
@@ -47,10 +47,9 @@ pub(super) fn stiffness(contestant: &Contestant, cells: usize) -> Option<Map> {
         let members: Vec<_> = steps.iter().filter_map(|h| Some((bench(k, DAMPING)?, *h))).collect();
         row(contestant, &members)
     });
-    let amplification = theory::amplification(contestant.card.name);
     let theory = |k: f64| {
         let bench = bench(k, DAMPING)?;
-        limit(amplification, bench.zeta).map(|a| a / bench.omega)
+        limit(contestant, bench.zeta).map(|a| a / bench.omega)
     };
     finish(&mut map, "Spring-held body: step and stiffness", theory);
     map.what = format!("{WHAT}, c = {DAMPING} N s/m");
@@ -74,8 +73,7 @@ pub(super) fn damping(contestant: &Contestant, cells: usize) -> Option<Map> {
             .collect();
         row(contestant, &members)
     });
-    let amplification = theory::amplification(contestant.card.name);
-    finish(&mut map, "Spring-held body: step and damping", |zeta| limit(amplification, zeta));
+    finish(&mut map, "Spring-held body: step and damping", |zeta| limit(contestant, zeta));
     map.what = format!("{WHAT}, k = {STIFFNESS} N/m");
     Some(map)
 }
