@@ -9,7 +9,7 @@ use super::ladder::{Truth, measured};
 use super::order::{Asked, Decision, Doubt, Run, decide};
 use crate::arithmetic::{DoubleDouble, Real};
 use crate::claim::Claim;
-use crate::model::body::{Body, MassPoint, inertia_of};
+use crate::model::body::{Body, MassPoint, Shape, inertia_of};
 use crate::model::{PerQuantity, Quantity, Snapshot, System};
 use crate::record::{Ladder, Rung, length};
 use crate::reference::precise;
@@ -210,7 +210,9 @@ fn as_given(contestant: &Contestant, given: &System) -> Option<System<DoubleDoub
     if system.body.points == points || (!by_points && given.constant_force().0) {
         return Some(system);
     }
-    if !by_points && contestant.model(given) == "points" {
+    // The points of a free rod lie on a line to rounding of f64 only, and the truth drops the part of L along it.
+    let is_rod = matches!(given.body.shape, Shape::Rod { .. }) && !given.body.pivoted;
+    if (by_points && is_rod) || (!by_points && contestant.model(given) == "points") {
         return None;
     }
     let body = if by_points { system.body.made_of(points) } else { Body { points, ..system.body.clone() } };
