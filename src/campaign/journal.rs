@@ -72,7 +72,7 @@ impl Journal {
     /// Takes in a finished cell. A full disk costs the journal and not the run.
     pub(super) fn add(&self, key: String, cell: &Cell) {
         let mut file = self.file.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Err(error) = write_line(&mut *file, &Line { key, cell }) {
+        if let Err(error) = write_line(&mut file, &Line { key, cell }) {
             eprintln!("polhode: {}: {error}: this cell cannot be resumed", self.path.display());
         }
     }

@@ -151,7 +151,7 @@ impl Baseline {
             one.scene.as_deref().is_none_or(|name| name == scene)
                 && one.quantity.as_deref().is_none_or(|name| name == quantity)
         };
-        self.tolerances.iter().filter(fits).filter_map(of).last()
+        self.tolerances.iter().rev().filter(fits).find_map(of)
     }
 
     /// The scenes, by content, and schemes on record, each pair once.

@@ -121,6 +121,13 @@ fn judge_convergence(evidence: &Evidence, quantity: Quantity, decision: &Decisio
         Decision::Order(found) => rule(Ruling::Pass, words(found)),
         Decision::Exact => rule(Ruling::Pass, "every error is at its rounding".to_owned()),
         Decision::Undecided(doubt) => rule(Ruling::NotApplicable, doubted(doubt)),
+        Decision::Elsewhere { error, step, .. } if within_a_step(evidence, quantity, *error, *step) => {
+            let unit = quantity.unit();
+            let detail = format!(
+                "the error stays at {error:.1e} {unit}, no more than the motion of one step, by which a kink of a force may be missed"
+            );
+            rule(Ruling::NotApplicable, detail)
+        }
         Decision::Elsewhere { error, apart, step, until } => {
             let unit = quantity.unit();
             let another = evidence.claims.contains(&Claim::SolvesAnotherMotion);
@@ -132,6 +139,14 @@ fn judge_convergence(evidence: &Evidence, quantity: Quantity, decision: &Decisio
             Verdict { measured: Some(*error), low: Some(0.0), ..rule(ruling, detail) }
         }
     }
+}
+
+/// Whether a force has kinks and an error is no larger than the motion of a step, the first sample time being about a turn: runs of halved
+/// steps may meet a kink at the same distance from the end of a step, and then have the same error.
+fn within_a_step(evidence: &Evidence, quantity: Quantity, error: f64, step: f64) -> bool {
+    let asked = Asked::of(&evidence.ladder, quantity);
+    let turn = asked.times.first().copied().unwrap_or(f64::INFINITY);
+    evidence.setting.not_for_order.is_some() && error <= asked.scale * step / turn
 }
 
 /// A fall of an error from one run to the next that the order does not explain: named above [`NAMED`], and a failure where the error vanishes

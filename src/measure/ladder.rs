@@ -202,7 +202,7 @@ impl<'a> Truth<'a> {
             return;
         }
         let (unit, _) = units(contestant.program());
-        for start in copies::starts(self.system, &self.reference.states, unit, false) {
+        for start in copies::starts(self.system, &self.reference.states, unit, true) {
             let copy = sampled(&contestant.run(&start, Form::Least, plan).states);
             if copy.len() == states.len() {
                 let errors = between(&self.system.body, &copy, states);

@@ -106,7 +106,8 @@ impl<'a> Precise<'a> {
     pub fn exactness(&self, own: &Ladder, coarsest: u64) -> Option<Ladder> {
         let system = self.truth.system;
         let promised = self.contestant.card.claims.iter().any(|claim| matches!(claim, Claim::Exact(..)));
-        if !promised || !system.constant_force().0 {
+        // A spin that is steady in f64 alone has a part beside its axis that double-double shows.
+        if !promised || !system.constant_force().0 || system.steady_spin() != self.system.steady_spin() {
             return None;
         }
         let part = self.truth.intervals() / self.samples[0] as u64;

@@ -91,31 +91,6 @@ impl System {
         let forces = Forces::new(laws, &body);
         Ok(System { body, forces, start })
     }
-
-    /// Whether Ω is constant to rounding: no torque, and Ω along L about an axis where it stays.
-    pub fn steady_spin(&self) -> bool {
-        let attitude = self.start.orientation;
-        let momentum = attitude.inverse_transform_vector(&self.start.angular_momentum);
-        let spin = self.body.inverse_inertia() * momentum;
-        let across = rotation::length(&spin.cross(&momentum));
-        // I⁻¹ of an extended body is good to a few rounding units times its condition.
-        let condition = match self.body.shape {
-            Shape::Extended => self.body.moments.max() / self.body.moments.min(),
-            Shape::Point | Shape::Rod { .. } => 1.0,
-        };
-        let rounding = 16.0 * f64::EPSILON * condition.min(1e3);
-        let along = across <= rounding * rotation::length(&spin) * rotation::length(&momentum);
-        self.torque_free() && along && !self.about_the_middle_axis(&spin, &momentum)
-    }
-
-    /// Whether a spin is about the axis of a moment that lies between two others: what rounding leaves beside it grows.
-    fn about_the_middle_axis(&self, spin: &Vector3<f64>, momentum: &Vector3<f64>) -> bool {
-        let moments = self.body.moments;
-        let moment = rotation::length(momentum) / rotation::length(spin);
-        self.body.shape == Shape::Extended
-            && moment > moments.min() * (1.0 + TWO_MOMENTS)
-            && moment < moments.max() * (1.0 - TWO_MOMENTS)
-    }
 }
 
 impl<T: Real> System<T> {
@@ -231,6 +206,31 @@ impl<T: Real> System<T> {
         let is_constant = |law: &Law<T>| law.is_torque() || law.uniform_acceleration().is_some();
         let constant = !self.body.pivoted && laws.iter().all(is_constant);
         (constant, free_of_force)
+    }
+
+    /// Whether Ω is constant to rounding: no torque, and Ω along L about an axis where it stays.
+    pub fn steady_spin(&self) -> bool {
+        let attitude = self.start.orientation;
+        let momentum = attitude.inverse_transform_vector(&self.start.angular_momentum);
+        let spin = self.body.inverse_inertia() * momentum;
+        let across = rotation::length(&spin.cross(&momentum));
+        // I⁻¹ of an extended body is good to a few rounding units times its condition.
+        let condition = match self.body.shape {
+            Shape::Extended => (self.body.moments.max() / self.body.moments.min()).to_f64(),
+            Shape::Point | Shape::Rod { .. } => 1.0,
+        };
+        let rounding = 16.0 * T::UNIT * condition.min(1e3);
+        let along = across <= rotation::length(&spin) * rotation::length(&momentum) * rounding;
+        self.torque_free() && along && !self.about_the_middle_axis(&spin, &momentum)
+    }
+
+    /// Whether a spin is about the axis of a moment that lies between two others: what rounding leaves beside it grows.
+    fn about_the_middle_axis(&self, spin: &Vector3<T>, momentum: &Vector3<T>) -> bool {
+        let moments = self.body.moments;
+        let moment = rotation::length(momentum) / rotation::length(spin);
+        self.body.shape == Shape::Extended
+            && moment > moments.min() * (1.0 + TWO_MOMENTS)
+            && moment < moments.max() * (1.0 - TWO_MOMENTS)
     }
 
     /// Whether no torque acts about the centre of mass and nothing holds the body.

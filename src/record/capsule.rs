@@ -186,7 +186,7 @@ impl Difference {
 /// The rows of each of [`SECTIONS`], without times.
 fn rows(records: &Records) -> Vec<Vec<Value>> {
     let mut whole = serde_json::to_value(records).unwrap_or_default();
-    let mut section = |name: &&str| {
+    let section = |name: &&str| {
         let mut rows = match whole.get_mut(name).map(Value::take) {
             Some(Value::Array(rows)) => rows,
             _ => Vec::new(),
@@ -196,7 +196,7 @@ fn rows(records: &Records) -> Vec<Vec<Value>> {
         }
         rows
     };
-    SECTIONS.iter().map(|name| section(name)).collect()
+    SECTIONS.iter().map(section).collect()
 }
 
 /// Records of what a second run gives again.

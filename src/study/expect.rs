@@ -127,7 +127,7 @@ impl Bracket {
         let ((end, end_band), (max, max_band)) = (at(|reading| reading.end), at(|reading| reading.max));
         // The error at the end may pass through zero: then only the largest is expected.
         let widest = if end_band <= WIDEST { end_band.max(max_band) } else { max_band };
-        if order == 0 || !(widest <= WIDEST) {
+        if order == 0 || widest.is_nan() || widest > WIDEST {
             return Err(Unexpected::Unexplained(widest));
         }
         Ok(Expected {

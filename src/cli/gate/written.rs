@@ -90,18 +90,14 @@ impl Written {
         if let Some(path) = &self.json {
             record::write_json(path, records)?;
         }
-        let texts: [(&Option<PathBuf>, fn(&Records) -> String); 5] = [
-            (&self.junit, report::junit),
-            (&self.markdown, report::step_summary),
-            (&self.sarif, report::sarif),
-            (&self.benchmark, report::smaller_is_better),
-            (&self.bencher, report::bencher),
-        ];
-        for (path, text) in texts {
-            if let Some(path) = path {
-                record::write_whole(path, text(records).as_bytes())?;
-            }
-        }
+        let write = |path: &Option<PathBuf>, text: fn(&Records) -> String| {
+            path.as_ref().map_or(Ok(()), |path| record::write_whole(path, text(records).as_bytes()))
+        };
+        write(&self.junit, report::junit)?;
+        write(&self.markdown, report::step_summary)?;
+        write(&self.sarif, report::sarif)?;
+        write(&self.benchmark, report::smaller_is_better)?;
+        write(&self.bencher, report::bencher)?;
         if self.github { add_step_summary(records) } else { Ok(()) }
     }
 }

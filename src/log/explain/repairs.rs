@@ -43,12 +43,12 @@ pub(super) fn tried(case: &Case) -> Vec<Tried> {
 }
 
 fn units(case: &Case, tried: &mut Vec<Tried>) {
-    let units: [(Part, &[(f64, &str)], &str); 3] = [
-        (Part::Position, &LENGTHS, "positions are in"),
+    let named = [
+        (Part::Position, &LENGTHS[..], "positions are in"),
         (Part::Velocity, &SPEEDS, "velocities are in"),
         (Part::Spin, &SPINS, "angular velocities are in"),
     ];
-    for (part, names, what) in units {
+    for (part, names, what) in named {
         for (unit, name) in names.iter().filter(|_| case.parts().has(part)) {
             let left = case.after(|state| with_vector(part, state, vector(part, state) * *unit));
             tried.push(Tried { change: Change::Unit, words: format!("{what} {name}"), left });

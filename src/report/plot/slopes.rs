@@ -82,7 +82,7 @@ mod tests {
         };
         let falling = vec![(0.0, 900.0), (900.0, 0.0)];
         let (low, high) = (vec![(0.0, 890.0), (900.0, 890.0)], vec![(0.0, 10.0), (900.0, 10.0)]);
-        assert_eq!(ends(&[falling.clone()]), 6);
+        assert_eq!(ends(std::slice::from_ref(&falling)), 6);
         assert_eq!(ends(&[falling.clone(), low.clone()]), 6);
         assert_eq!(ends(&[falling, low, high]), 0);
     }
