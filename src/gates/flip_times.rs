@@ -4,13 +4,10 @@
 //! times may exceed that of the scheme: what is asked is that they converge at least as fast as claimed.
 
 use super::ruled;
-use crate::measure::flips::{flip_order, is_complete};
+use crate::measure::flips::{COUNTED, flip_order, is_complete};
 use crate::measure::{Asked, BELOW, Decision, Doubt};
 use crate::model::Quantity;
 use crate::record::{ClaimName, Evidence, Ruling, Verdict};
-
-/// Rungs, at the fine end, that must have the flips of the truth.
-const COUNTED: usize = 3;
 
 pub(super) fn judge(evidence: &Evidence) -> Verdict {
     let rule = |ruling, detail: String| ruled(evidence, ClaimName::FlipTimes, "flip-times", ruling, detail);
@@ -32,7 +29,11 @@ pub(super) fn judge(evidence: &Evidence) -> Verdict {
     }
     if !fine.iter().all(|rung| is_complete(flips, rung)) {
         let counts: Vec<usize> = fine.iter().map(|rung| rung.times.len()).collect();
-        return rule(Ruling::Fail, format!("{truth} flips in truth, {counts:?} at the three finest steps"));
+        let detail = format!("{truth} flips in truth, {counts:?} at the three finest steps");
+        // A coarser run that is not yet near the truth says nothing of the limit.
+        let finest = fine.last().is_some_and(|rung| is_complete(flips, rung));
+        let detail = if finest { format!("{detail}: smaller steps would decide it") } else { detail };
+        return rule(if finest { Ruling::Inconclusive } else { Ruling::Fail }, detail);
     }
     if truth == 0 {
         return rule(Ruling::Pass, "no flip, as in truth, at the three finest steps".to_owned());

@@ -124,7 +124,7 @@ fn judge_convergence(evidence: &Evidence, quantity: Quantity, decision: &Decisio
         Decision::Elsewhere { error, step, .. } if within_a_step(evidence, quantity, *error, *step) => {
             let unit = quantity.unit();
             let detail = format!(
-                "the error stays at {error:.1e} {unit}, no more than the motion of one step, by which a kink of a force may be missed"
+                "the error stays at {error:.1e} {unit}, no more than a kink of a force makes that is missed for a step"
             );
             rule(Ruling::NotApplicable, detail)
         }
@@ -141,12 +141,14 @@ fn judge_convergence(evidence: &Evidence, quantity: Quantity, decision: &Decisio
     }
 }
 
-/// Whether a force has kinks and an error is no larger than the motion of a step, the first sample time being about a turn: runs of halved
-/// steps may meet a kink at the same distance from the end of a step, and then have the same error.
+/// Whether a force has kinks and an error is no larger than what missing it for a step makes by the end, the first sample time being about a
+/// turn: the change of a velocity grows with time. Runs of halved steps may meet a kink at the same distance from the end of a step, and then have
+/// the same error.
 fn within_a_step(evidence: &Evidence, quantity: Quantity, error: f64, step: f64) -> bool {
     let asked = Asked::of(&evidence.ladder, quantity);
-    let turn = asked.times.first().copied().unwrap_or(f64::INFINITY);
-    evidence.setting.not_for_order.is_some() && error <= asked.scale * step / turn
+    let ends = asked.times.first().zip(asked.times.last());
+    let missed = ends.map_or(0.0, |(turn, end)| asked.scale * (step / turn) * (end / turn));
+    evidence.setting.not_for_order.is_some() && error <= missed
 }
 
 /// A fall of an error from one run to the next that the order does not explain: named above [`NAMED`], and a failure where the error vanishes
@@ -159,10 +161,12 @@ fn judge_jump(evidence: &Evidence, quantity: Quantity, decision: Option<&Decisio
         let (coarse, fine) = (length(&pair[0].errors), length(&pair[1].errors));
         let whole = !pair[0].errors.is_empty() && !pair[1].errors.is_empty();
         let small = coarse < BELOW * asked.scale * (samples as f64).sqrt();
+        // A step that is unstable amplifies roundings, which smaller steps do not.
+        let clear = coarse > asked.floor(&pair[0], samples);
         let floor = asked.floor(&pair[1], samples);
         let vanishes = fine <= floor && coarse > 2f64.powi(HIGHEST as i32) * floor;
         let fall = coarse / fine.max(floor) / (pair[0].step / pair[1].step).powi(order as i32);
-        (whole && small && fall > NAMED).then_some((vanishes, fall, pair[0].step))
+        (whole && small && clear && fall > NAMED).then_some((vanishes, fall, pair[0].step))
     };
     let falls = asked.runs.windows(2).filter_map(fall);
     let (vanishes, fall, step) = falls.max_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)))?;

@@ -4,8 +4,9 @@
 //! one (stochastic arithmetic; Vignes' CESTAC is the published ancestor). What a copy differs by is rounding, however it grows. Every gate that
 //! needs a rounding asks here.
 
-use crate::model::copies::{CLEAR, COPIES, OFF, displaced};
-use crate::model::{PerQuantity, Quantity, Snapshot, System, difference, larger};
+use crate::arithmetic::Real;
+use crate::model::copies::{CLEAR, COPIES, OFF, displaced, started_off};
+use crate::model::{PerQuantity, Quantity, Snapshot, System, difference};
 use crate::rotation;
 use crate::simulate::{Contestant, Form, Plan};
 
@@ -14,6 +15,15 @@ use crate::simulate::{Contestant, Form, Plan};
 pub fn starts(system: &System, motion: &[Snapshot], unit: f64, retold: bool) -> [System; COPIES] {
     let off = extents(system, motion).map(|extent| OFF * unit * extent);
     std::array::from_fn(|way| displaced(system, &off, way, retold))
+}
+
+/// Starts of the copies of a run in an arithmetic; `motion` is that of the system in f64.
+pub fn starts_in<T: Real>(
+    system: &System<T>,
+    (given, motion): (&System, &[Snapshot]),
+) -> [System<T>; COPIES] {
+    let off = extents(given, motion).map(|extent| OFF * T::UNIT * extent);
+    std::array::from_fn(|way| started_off(system, &off, way))
 }
 
 /// The largest distance of any copy from a run, at the end and on the way; NaN where a copy breaks.
@@ -32,10 +42,15 @@ pub fn spread(
     })
 }
 
-/// The rounding of a run of so many steps: the spread of its copies, and a rounding of the size of each quantity for each step at least.
-pub fn rounding(spread: &PerQuantity<f64>, sizes: &PerQuantity<f64>, steps: u64) -> PerQuantity<f64> {
-    let of_steps = f64::EPSILON * steps as f64 / CLEAR;
-    PerQuantity::of(|quantity| larger(spread[quantity], of_steps * sizes[quantity]))
+/// The rounding of a run in an arithmetic of this unit: the spread of its copies, and a rounding of the size of each quantity for each of `count` steps or
+/// evaluations.
+pub fn rounding(
+    spread: &PerQuantity<f64>,
+    sizes: &PerQuantity<f64>,
+    (unit, count): (f64, u64),
+) -> PerQuantity<f64> {
+    let of_each = unit * count as f64 / CLEAR;
+    PerQuantity::of(|quantity| spread[quantity] + of_each * sizes[quantity])
 }
 
 /// How large everything that rounding touches gets, each quantity in its unit.
@@ -46,9 +61,11 @@ fn extents(system: &System, motion: &[Snapshot]) -> PerQuantity<f64> {
     let spin = largest(|s| rotation::length(&s.angular_velocity));
     let fastest = if of_points { spin * system.body.extent() } else { 0.0 };
     let reach = largest(|s| s.position.amax()).max(system.body.extent());
+    // A copy that keeps its distance by whole units in the last place of its position has the roundings of the run.
+    let drift = motion.last().map_or(0.0, |end| if end.time > 0.0 { reach / end.time } else { 0.0 });
     PerQuantity::of(|quantity| match quantity {
         Quantity::Position | Quantity::BodyPoint => reach,
-        Quantity::Velocity => largest(|s| s.velocity.amax()).max(fastest),
+        Quantity::Velocity => largest(|s| s.velocity.amax()).max(fastest).max(drift),
         Quantity::Orientation => 1.0,
         Quantity::AngularVelocity => spin,
         Quantity::AngularMomentum => largest(|s| s.angular_momentum.amax()),

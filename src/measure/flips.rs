@@ -24,6 +24,8 @@ const COARSEST_TURN: f64 = 0.16;
 const FEWEST_RUNGS: usize = 6;
 /// … and at most, where the times are not settled.
 const MOST_RUNGS: usize = 11;
+/// Runs, at the fine end, that must have the flips of the truth.
+pub const COUNTED: usize = 3;
 /// Most steps of a run beyond the fewest.
 const MOST_STEPS: u64 = 1 << 20;
 /// Error of a cubic through every second state over that through every state: the fourth power of their spacing.
@@ -197,6 +199,13 @@ fn motion(system: &System, times: &[f64]) -> Option<Vec<Snapshot>> {
     );
 }
 
+/// Whether the times are decided, and the finest runs have the flips of the truth.
+fn are_settled(flips: &Flips) -> bool {
+    let finest = &flips.rungs[flips.rungs.len().saturating_sub(COUNTED)..];
+    let complete = finest.iter().all(|rung| is_complete(flips, rung));
+    complete && !matches!(flip_order(flips, 0.0), Decision::Undecided(_))
+}
+
 /// Runs a scheme at halved steps and finds its flips, until their times are settled.
 pub fn flips(
     contestant: &Contestant,
@@ -209,8 +218,7 @@ pub fn flips(
     let mut flips = Flips { truth, duration, rungs: Vec::new() };
     for index in 0..MOST_RUNGS {
         let steps = (duration * fastest / COARSEST_TURN).ceil() as u64 * (1 << index);
-        let undecided = || matches!(flip_order(&flips, 0.0), Decision::Undecided(_));
-        if index >= FEWEST_RUNGS && (steps > MOST_STEPS || !undecided()) {
+        if index >= FEWEST_RUNGS && (steps > MOST_STEPS || are_settled(&flips)) {
             break;
         }
         let plan = Plan { step: duration / steps as f64, steps, every: 1 };

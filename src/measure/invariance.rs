@@ -131,7 +131,7 @@ impl Compared<'_> {
         let motion = self.contestant.run(self.system, form, &plan).states;
         let spread = copies::spread(self.contestant, (self.system, form), &plan, &motion);
         let sizes = sizes(self.system, &motion);
-        (copies::rounding(&spread, &sizes, plan.steps), sizes)
+        (copies::rounding(&spread, &sizes, (f64::EPSILON, plan.steps)), sizes)
     }
 
     /// What larger positions and velocities in the other world round off besides.

@@ -9,7 +9,7 @@ use super::ladder::{Truth, measured};
 use super::order::{Asked, Decision, Doubt, Run, decide};
 use crate::arithmetic::{DoubleDouble, Real};
 use crate::claim::Claim;
-use crate::model::body::{Body, MassPoint, Shape, inertia_of};
+use crate::model::body::{Body, MassPoint, Shape};
 use crate::model::{PerQuantity, Quantity, Snapshot, System};
 use crate::record::{Ladder, Rung, length};
 use crate::reference::precise;
@@ -106,8 +106,7 @@ impl<'a> Precise<'a> {
     pub fn exactness(&self, own: &Ladder, coarsest: u64) -> Option<Ladder> {
         let system = self.truth.system;
         let promised = self.contestant.card.claims.iter().any(|claim| matches!(claim, Claim::Exact(..)));
-        // A spin that is steady in f64 alone has a part beside its axis that double-double shows.
-        if !promised || !system.constant_force().0 || system.steady_spin() != self.system.steady_spin() {
+        if !promised || !system.constant_force().0 {
             return None;
         }
         let part = self.truth.intervals() / self.samples[0] as u64;
@@ -206,7 +205,7 @@ fn as_given(contestant: &Contestant, given: &System) -> Option<System<DoubleDoub
         position: p.position.map(DoubleDouble::exact),
     };
     let points: Vec<MassPoint<DoubleDouble>> = given.body.points.iter().map(exact).collect();
-    let by_points = inertia_of(&given.body.points) == given.body.inertia;
+    let by_points = given.body.is_given_by_points();
     // Where no law acts on the points, those of double-double have the given inertia.
     if system.body.points == points || (!by_points && given.constant_force().0) {
         return Some(system);

@@ -1,9 +1,10 @@
 //! There and back: a run with h, and one with −h from where it ended.
 //!
 //! A symmetric scheme, Φ₋ₕ Φₕ = 1, returns to its start to rounding; any other is off by its own error. A scheme of the list goes there and
-//! back in double-double, a program in f64. How a rounding grows on the way is seen in copies in f64; its unit is that of the arithmetic.
+//! back in double-double, a program in f64, and so do the copies that show how a rounding grows: where positions are large, f64 takes back the
+//! roundings of the way there to the last bit.
 
-use super::copies::{rounding, starts};
+use super::copies::{rounding, starts_in};
 use super::{Rung, steady_rung};
 use crate::arithmetic::{DoubleDouble, Real};
 use crate::model::{PerQuantity, Quantity, Snapshot, System, difference, larger, sizes};
@@ -27,23 +28,34 @@ pub fn reversal(contestant: &Contestant, system: &System, rungs: &[Rung]) -> Opt
     let most = if precise { PRECISE_STEPS } else { STEPS };
     let rung = steady_rung(contestant, system, rungs, most)?;
     let steps = rung.steps.min(most);
-    let mut reversal = Reversal { steps, step: rung.step, double_double: precise, ..Reversal::default() };
-    let Some(own) = there_and_back(contestant, system, rung.step, steps) else { return Some(reversal) };
-    reversal.solves = own.solves;
-    let spread = spread(contestant, system, rung.step, steps, &own);
-    let rounding = rounding(&spread, &sizes(system, &own.there), 2 * steps);
-    reversal.open = spread[Quantity::Orientation];
-    if !precise {
-        let off = difference(&system.body, &own.back, &own.start);
-        (reversal.of_rounding, reversal.worst) = worst(off, rounding);
-        return Some(reversal);
-    }
-    let system = System::<DoubleDouble>::of(system).ok()?;
-    let Some(own) = there_and_back(contestant, &system, rung.step, steps) else { return Some(reversal) };
-    let off = difference(&system.body, &own.back, &own.start).map(DoubleDouble::to_f64);
-    let finer = DoubleDouble::UNIT / f64::EPSILON;
-    (reversal.of_rounding, reversal.worst) = worst(off, rounding.map(|rounding| rounding * finer));
-    Some(reversal)
+    let reversal = Reversal { steps, step: rung.step, double_double: precise, ..Reversal::default() };
+    let plan = (rung.step, steps);
+    Some(if precise {
+        measured(contestant, &System::<DoubleDouble>::of(system).ok()?, system, plan, reversal)
+    } else {
+        measured(contestant, system, system, plan, reversal)
+    })
+}
+
+/// What a way there and back in an arithmetic misses its start by, over its rounding; `given` is the system in f64.
+fn measured<T: Arithmetic>(
+    contestant: &Contestant,
+    system: &System<T>,
+    given: &System,
+    (step, steps): (f64, u64),
+    reversal: Reversal,
+) -> Reversal {
+    let Some(own) = there_and_back(contestant, system, step, steps) else { return reversal };
+    let there: Vec<Snapshot> = own.there.iter().map(Snapshot::nearest).collect();
+    let apart = |a: &Snapshot<T>, b: &Snapshot<T>| difference(&system.body, a, b).map(Real::to_f64);
+    let starts = starts_in(system, (given, &there));
+    // A copy that breaks is left out.
+    let copies = starts.iter().filter_map(|start| there_and_back(contestant, start, step, steps));
+    let spread =
+        copies.fold(PerQuantity::all(0.0), |largest, copy| largest.max(apart(&copy.back, &own.back)));
+    let rounding = rounding(&spread, &sizes(given, &there), (T::UNIT, own.evaluations));
+    let (of_rounding, worst) = worst(apart(&own.back, &own.start), rounding);
+    Reversal { solves: own.solves, open: spread[Quantity::Orientation], of_rounding, worst, ..reversal }
 }
 
 /// A way there and back.
@@ -53,6 +65,8 @@ struct Return<T: Real = f64> {
     there: Vec<Snapshot<T>>,
     back: Snapshot<T>,
     solves: u64,
+    /// Evaluations of the rates and iterations of implicit equations, both ways.
+    evaluations: u64,
 }
 
 /// `None` where a run breaks.
@@ -66,21 +80,13 @@ fn there_and_back<T: Arithmetic>(
         let mut states = Vec::new();
         let plan = Plan { step, steps, every };
         let outcome = contestant.stream_in(system, Form::Least, &plan, &mut |state| states.push(*state));
-        outcome.broken.is_none().then_some((states, outcome.solves))
+        outcome.broken.is_none().then_some((states, outcome))
     };
-    let (there, solves) = run(system, step, (steps / SAMPLES).max(1))?;
-    let (way_back, _) = run(&system.started_at(there.last()?), -step, steps)?;
+    let (there, out) = run(system, step, (steps / SAMPLES).max(1))?;
+    let (way_back, home) = run(&system.started_at(there.last()?), -step, steps)?;
     let (start, back) = (*there.first()?, *way_back.last()?);
-    Some(Return { start, back, solves, there })
-}
-
-/// How far copies of a way there and back end from it, at most; a copy that breaks is left out.
-fn spread(contestant: &Contestant, system: &System, step: f64, steps: u64, own: &Return) -> PerQuantity<f64> {
-    let starts = starts(system, &own.there, f64::EPSILON, false);
-    let copies = starts.iter().filter_map(|start| there_and_back(contestant, start, step, steps));
-    copies.fold(PerQuantity::all(0.0), |largest, copy| {
-        largest.max(difference(&system.body, &copy.back, &own.back))
-    })
+    let evaluations = [&out, &home].map(|run| run.evaluations + run.iterations).iter().sum();
+    Some(Return { start, back, solves: out.solves, evaluations, there })
 }
 
 /// The largest of the differences over their roundings, with the quantity that it belongs to and the difference; `None` where one is NaN.

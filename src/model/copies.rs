@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use super::{PerQuantity, Quantity, Snapshot, Start, System, retold};
+use crate::arithmetic::Real;
 use crate::rotation;
 
 /// Copies of every run.
@@ -32,15 +33,20 @@ pub fn sizes(system: &System, motion: &[Snapshot]) -> PerQuantity<f64> {
 /// The system started off by `off` in every quantity, in one of a few fixed directions; where the body is `retold`, its mass points are
 /// moved too, by as much of its extent as it is turned [rad].
 pub fn displaced(system: &System, off: &PerQuantity<f64>, way: usize, retold: bool) -> System {
+    let body = if retold { retold::moved(system, off[Quantity::Orientation], way) } else { None };
+    started_off(body.as_ref().unwrap_or(system), off, way)
+}
+
+/// The system started off by `off` in every quantity, in one of a few fixed directions, in any arithmetic.
+pub fn started_off<T: Real>(system: &System<T>, off: &PerQuantity<f64>, way: usize) -> System<T> {
     const DIRECTIONS: [Vector3<f64>; COPIES] =
         [Vector3::new(0.36, 0.48, 0.8), Vector3::new(0.8, -0.6, 0.0), Vector3::new(-0.48, -0.64, 0.6)];
-    let along = |quantity, shift: usize| DIRECTIONS[(way + shift) % COPIES] * off[quantity];
+    let along = |quantity, shift: usize| (DIRECTIONS[(way + shift) % COPIES] * off[quantity]).map(T::of);
     let change = Start {
         position: along(Quantity::Position, 1),
         velocity: along(Quantity::Velocity, 2),
         angular_momentum: along(Quantity::AngularMomentum, 1),
         orientation: system.start.orientation,
     };
-    let body = if retold { retold::moved(system, off[Quantity::Orientation], way) } else { None };
-    body.as_ref().unwrap_or(system).displaced(&along(Quantity::Orientation, 0), &change)
+    system.displaced(&along(Quantity::Orientation, 0), &change)
 }

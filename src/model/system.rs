@@ -12,7 +12,7 @@ use super::body::{Body, Shape, rotation_of};
 use super::forces::{Forces, Law};
 use super::placed::Placed;
 use super::{Falling, Forced, Free, PointCloud, Rotor, Snapshot};
-use crate::arithmetic::Real;
+use crate::arithmetic::{DoubleDouble, Real};
 use crate::rotation::{self, Rotation};
 use check::{check_law, check_momentum};
 pub use error::SystemError;
@@ -90,6 +90,14 @@ impl System {
         }
         let forces = Forces::new(laws, &body);
         Ok(System { body, forces, start })
+    }
+}
+
+impl System {
+    /// Whether Ω is constant to rounding of double-double. A spin that is steady in f64 alone has a part beside its axis, which large
+    /// steps amplify.
+    pub fn steady_spin(&self) -> bool {
+        System::<DoubleDouble>::of(self).is_ok_and(|system| system.is_steady())
     }
 }
 
@@ -208,8 +216,8 @@ impl<T: Real> System<T> {
         (constant, free_of_force)
     }
 
-    /// Whether Ω is constant to rounding: no torque, and Ω along L about an axis where it stays.
-    pub fn steady_spin(&self) -> bool {
+    /// Whether Ω is constant to rounding of this arithmetic: no torque, and Ω along L about an axis where it stays.
+    fn is_steady(&self) -> bool {
         let attitude = self.start.orientation;
         let momentum = attitude.inverse_transform_vector(&self.start.angular_momentum);
         let spin = self.body.inverse_inertia() * momentum;

@@ -31,6 +31,11 @@ impl<T: Real> Body<T> {
         Body { mass, points, center, inertia, moments, ..*self }
     }
 
+    /// Whether the body was given by its points: the inertia is their sum to the last bit.
+    pub(crate) fn is_given_by_points(&self) -> bool {
+        !self.points.is_empty() && inertia_of(&self.points) == self.inertia
+    }
+
     /// Whether the inertia is that of the points to rounding. An inertia may be one of so few points in f64 only.
     pub(crate) fn is_of_its_points(&self) -> bool {
         !self.points.is_empty()
@@ -52,7 +57,7 @@ impl<T: Real> Body<T> {
             .iter()
             .map(|p| MassPoint { mass: T::of(p.mass), position: p.position.map(T::of) })
             .collect();
-        let by_points = !body.points.is_empty() && inertia_of(&body.points) == body.inertia;
+        let by_points = body.is_given_by_points();
         let mass = if by_points { given.iter().map(|p| p.mass).sum() } else { T::of(body.mass) };
         let center = if body.pivoted && by_points { center_of(&given, mass) } else { body.center.map(T::of) };
         if by_points && !body.pivoted {
