@@ -34,7 +34,7 @@ const NO_SCHEME: [&str; 23] = [
 
 /// Where laws are named one by one: their own files, the reference and the Taylor series with their transcriptions, special cases that a study or a
 /// measurement is about, and defects.
-const LAWS_BY_NAME: [&str; 11] = [
+const LAWS_BY_NAME: [&str; 12] = [
     "src/campaign/scaling.rs",
     "src/measure/invariants.rs",
     "src/model/forces",
@@ -42,6 +42,7 @@ const LAWS_BY_NAME: [&str; 11] = [
     "src/schemes/taylor",
     "src/self_test/planted.rs",
     "src/study/cause.rs",
+    "src/study/stability/amplification.rs",
     "src/study/stability/bench.rs",
     "src/study/stability/kink.rs",
     "src/study/stability/maps/drag.rs",

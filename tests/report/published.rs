@@ -25,7 +25,8 @@ fn the_published_verdicts_are_of_the_main_schemes_and_green() {
         assert!(verdicts.iter().filter(|verdict| verdict.scheme == scheme).count() > 100, "{scheme}: {HOW}");
     }
     let built_in = polhode::scenes::built_in();
-    for scene in &built_in {
+    // Where every verdict is "not applicable" the published file has none.
+    for scene in built_in.iter().filter(|scene| scene.only_for_stability.is_none()) {
         assert!(verdicts.iter().any(|verdict| verdict.scene == scene.name), "{}: {HOW}", scene.name);
     }
 }

@@ -3,7 +3,9 @@
 //! The whole angular momentum I Ω + R h changes by the torques of the other laws alone. The L of a state is I Ω, that of the body
 //! with its wheels locked, and d(R h)/dt = Ω × R h acts on it from the other side:
 //!
-//!     Ω = I⁻¹ (L_whole − R h),   dL/dt = τ − Ω × R h.
+//! ```text
+//! Ω = I⁻¹ (L_whole − R h),   dL/dt = τ − Ω × R h
+//! ```
 //!
 //! The power of this torque is Ω·(Ω × R h) = 0: a free gyrostat keeps ½ Ω·L.
 
@@ -101,8 +103,7 @@ impl RandomLaw for Wheels {
         let (_, smallest) = around.moments()?;
         let rate = draw.logarithmic(0.2, 2.0);
         let size = rate * smallest;
-        let along = |direction: Vector3<f64>| (direction * size).map(|x| draw.number(x));
-        let momentum = around.rod().map(along).unwrap_or_else(|| draw.vector(size));
+        let momentum = around.rod().map_or_else(|| draw.vector(size), |direction| direction * size);
         Some((Wheels { momentum }, rate))
     }
 }
