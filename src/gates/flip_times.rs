@@ -30,10 +30,13 @@ pub(super) fn judge(evidence: &Evidence) -> Verdict {
     if !fine.iter().all(|rung| is_complete(flips, rung)) {
         let counts: Vec<usize> = fine.iter().map(|rung| rung.times.len()).collect();
         let detail = format!("{truth} flips in truth, {counts:?} at the three finest steps");
-        // A coarser run that is not yet near the truth says nothing of the limit.
-        let finest = fine.last().is_some_and(|rung| is_complete(flips, rung));
-        let detail = if finest { format!("{detail}: smaller steps would decide it") } else { detail };
-        return rule(if finest { Ruling::Inconclusive } else { Ruling::Fail }, detail);
+        // Runs that differ from one another say nothing of the limit.
+        let settled = counts.windows(2).last().is_some_and(|pair| pair[0] == pair[1]);
+        let wrong = fine.last().is_none_or(|rung| !is_complete(flips, rung));
+        return match settled && wrong {
+            true => rule(Ruling::Fail, detail),
+            false => rule(Ruling::Inconclusive, format!("{detail}: smaller steps would decide it")),
+        };
     }
     if truth == 0 {
         return rule(Ruling::Pass, "no flip, as in truth, at the three finest steps".to_owned());

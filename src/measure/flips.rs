@@ -21,7 +21,7 @@ const TUMBLING: f64 = 0.9;
 /// Radians turned in a step of the coarsest run.
 const COARSEST_TURN: f64 = 0.16;
 /// Runs at halved steps, at least, …
-const FEWEST_RUNGS: usize = 6;
+const FEWEST_RUNGS: usize = 8;
 /// … and at most, where the times are not settled.
 const MOST_RUNGS: usize = 11;
 /// Runs, at the fine end, that must have the flips of the truth.

@@ -172,7 +172,8 @@ pub fn decide_either<'a>(
     let own = decide(&Asked::of(ladder, quantity));
     let finer = precise.filter(|finer| own.is_open() && differ_by_rounding(ladder, finer, quantity));
     let found = finer.map(|finer| (decide(&Asked::of(finer, quantity)), finer));
-    match found.filter(|(found, _)| !matches!(found, Decision::Undecided(_))) {
+    // Where f64 is open, numbers of the start that differ in the last place of f64 may grow to another motion.
+    match found.filter(|(found, _)| matches!(found, Decision::Exact | Decision::Order(_))) {
         Some((found, finer)) => (found, Some(finer)),
         None => (own, None),
     }

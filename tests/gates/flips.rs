@@ -80,8 +80,8 @@ fn flips_are_as_many_as_in_truth_at_the_three_finest_steps() {
     for run in 0..RUNS {
         let mut made = late(&power(2.0));
         flips(&mut made).rungs[run].times.remove(1);
-        // Fewer than four runs after the last wrong one decide no order, and only the finest says what the limit is.
-        let expected = [Pass, Pass, Pass, Pass, Inconclusive, Inconclusive, Inconclusive, Fail][run];
+        // Fewer than four runs after the last wrong one decide no order, and runs that differ do not say what the limit is.
+        let expected = [Pass, Pass, Pass, Pass, Inconclusive, Inconclusive, Inconclusive, Inconclusive][run];
         assert_eq!(ruling(&made), expected, "{run}");
     }
     let mut made = late(&power(2.0));
