@@ -85,7 +85,7 @@ impl<'t> Document<'t> {
             .then(|| format!("\"{word}\""))
     }
 
-    /// The change that takes out an entry that stands on lines of its own.
+    /// The change that removes an entry that shares no line with others.
     pub fn removal(&self, key: Range<usize>, value: Range<usize>) -> Option<Mend> {
         let line = self.text.get(..key.start)?.rfind('\n').map_or(0, |end| end + 1);
         let rest = self.after(value.end);

@@ -4,8 +4,8 @@ use polhode::internals::log::{Change, Judgement, Request, Said, judge_text};
 use polhode::model::Quantity;
 use polhode::record::Ruling;
 
-use crate::changed_logs::{STILL, mutate, still};
 use crate::common::program::{code, polhode, scratch, stdout};
+use crate::mutated_logs::{STILL, mutate, still};
 
 /// cos ¼ and sin ¼: half a second of it.
 const COSINE: &str = "0.9689124217106447";

@@ -7,6 +7,9 @@ mod common;
 #[path = "../common/changed_logs.rs"]
 mod changed_logs;
 
+#[path = "../common/mutated_logs.rs"]
+mod mutated_logs;
+
 mod advice;
 mod advise_and_sweep;
 mod baselines;

@@ -1,4 +1,4 @@
-//! The order of a scheme of each kind under each law that reads a velocity or the time in a way of its own, in generic scenes: three
+//! The order of a scheme of each kind under each law that reads a velocity or the time, in generic scenes: three
 //! different moments, a start in Euler angles and a spin off every axis.
 
 use polhode::campaign::Campaign;

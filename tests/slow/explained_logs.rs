@@ -1,6 +1,7 @@
 //! A thousand logs with one known change, and a thousand right ones.
 
-use crate::changed_logs::{false_alarms, mutate, tally};
+use crate::changed_logs::{false_alarms, tally};
+use crate::mutated_logs::mutate;
 
 #[test]
 fn of_a_thousand_changed_logs_95_in_100_are_named_rightly_and_one_in_200_wrongly() {

@@ -11,6 +11,9 @@ mod known;
 /// The logs that the other tests judge a few of.
 #[path = "../common/changed_logs.rs"]
 mod changed_logs;
+
+#[path = "../common/mutated_logs.rs"]
+mod mutated_logs;
 /// The records that the other tests of reports take a part of.
 #[allow(dead_code, reason = "the other tests use the rest")]
 #[path = "../report/synthetic.rs"]

@@ -30,11 +30,16 @@ pub(super) struct Reduced<T: Real = f64> {
     points: Vec<MassPoint<T>>,
 }
 
+/// −μ M d/|d|³ for d from the centre.
+#[inline(always)]
+pub(super) fn pull<T: Real>(mu: T, mass: T, d: &Vector3<T>) -> Vector3<T> {
+    let distance = rotation::length(d);
+    d * (-mu * mass / (distance * distance * distance))
+}
+
 impl<T: Real> CentralGravity<T> {
     fn force(&self, mass: T, position: &Vector3<T>) -> Vector3<T> {
-        let d = position - self.center;
-        let distance = rotation::length(&d);
-        d * (-self.mu * mass / (distance * distance * distance))
+        pull(self.mu, mass, &(position - self.center))
     }
 }
 

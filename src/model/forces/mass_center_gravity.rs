@@ -1,6 +1,6 @@
 //! Gravity of a fixed centre on the centre of mass alone, F = −μ M d/|d|³ with d = X_cm − center.
 //!
-//! The mean motion of a body that is small beside its distance, without the torque of the gradient, which is a law of its own.
+//! The mean motion of a body that is small beside its distance, without the torque of the gradient, which is another law.
 
 use nalgebra::Vector3;
 
@@ -8,7 +8,7 @@ use super::argument::{Argument, Field};
 use super::draw::{Draw, Surroundings};
 use super::law::{Acts, ForceLaw, RandomLaw, ReducedLaw};
 use super::parameter::{Parameter, parameters};
-use super::{CentralGravity, Cloud, Load, Pose, to_principal};
+use super::{CentralGravity, Cloud, Load, Pose, central_gravity, to_principal};
 use crate::arithmetic::Real;
 use crate::model::body::Body;
 use crate::rotation;
@@ -33,9 +33,7 @@ pub(super) struct Reduced<T: Real = f64> {
 
 impl<T: Real> MassCenterGravity<T> {
     fn force(&self, mass: T, position: &Vector3<T>) -> Vector3<T> {
-        let d = position - self.center;
-        let distance = rotation::length(&d);
-        d * (-self.mu * mass / (distance * distance * distance))
+        central_gravity::pull(self.mu, mass, &(position - self.center))
     }
 }
 

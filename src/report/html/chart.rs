@@ -20,7 +20,7 @@ pub(super) struct Chart {
     title: String,
     /// Whether the axes are logarithmic at first.
     log: [bool; 2],
-    /// Whether each error comes with its rounding, so that truncation can be told from it.
+    /// Whether each error comes with its rounding, so that truncation can be separated from it.
     parts: bool,
     /// The choices along x and along y: a key, and a label with its unit.
     x: Vec<(&'static str, String)>,

@@ -10,7 +10,7 @@ const EM: (f64, f64) = (30.0, 28.0);
 const ROW: f64 = 46.0;
 /// Between two columns.
 const GAP: f64 = 44.0;
-/// Rows from which on the table stands in two blocks side by side, where they fit.
+/// Fewest rows of a table that is set in two blocks side by side, where they fit.
 const LONG: usize = 7;
 
 /// The table.

@@ -19,7 +19,7 @@ const TOP: f64 = 150.0;
 const MARGIN: f64 = 30.0;
 const ROW: f64 = 900.0;
 
-/// The columns, with what stands under each. The error against the step has a picture of its own.
+/// The columns, with what stands under each. The error against the step is another picture.
 const COLUMNS: [(Work, &str); 2] = [
     (Work::Nanoseconds, "nanoseconds a simulated second"),
     (Work::Evaluations, "force evaluations a simulated second"),

@@ -174,7 +174,7 @@ impl Mode {
 }
 
 /// The limit of the oscillation of a body that turns and is displaced at once; `None` also where a scheme steps turns and displacements
-/// by different rules, so that every mixture has a limit of its own.
+/// by different rules, so that every mixture has another limit.
 pub fn limit_of_a_body(zeta: f64, contestant: &Contestant, allowed: f64) -> Option<(f64, Amplification)> {
     let (displaced, turned) = (Mode::Oscillation { zeta }, Mode::Turning { zeta });
     let limit = displaced.limit(contestant, allowed)?;
