@@ -6,14 +6,16 @@ use std::path::Path;
 
 /// Most bytes of a scene file, a mesh of 3e5 mass points, and of a robot description.
 pub const MOST_OF_A_SCENE: u64 = 64 << 20;
-/// Most bytes of a trajectory file, 4e6 rows of fourteen columns.
+/// Most bytes of a trajectory that comes by a pipe, 4e6 rows of fourteen columns; a file may have any size.
 #[cfg(feature = "cli")]
 pub const MOST_OF_A_LOG: u64 = 1 << 30;
 /// Most bytes of a records file: a hundred times those of every scheme in every scene.
 pub const MOST_OF_RECORDS: u64 = 4 << 30;
 
 /// Bytes that are looked at before the rest is read.
-const FIRST: u64 = 1 << 16;
+pub const FIRST: u64 = 1 << 16;
+/// Why bytes are refused.
+pub const NO_TEXT: &str = "this is not text in UTF-8";
 
 /// Why a file was not read.
 #[derive(Debug)]
@@ -60,7 +62,7 @@ pub fn text(path: &Path, most: u64) -> Result<String, FileError> {
     String::from_utf8(bytes).map_err(|error| {
         let valid = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         let line = 1 + valid.iter().filter(|byte| **byte == b'\n').count();
-        let why = "this is not text in UTF-8: save the file as UTF-8".to_owned();
+        let why = format!("{NO_TEXT}: save the file as UTF-8");
         FileError::Content { file, line, why }
     })
 }
@@ -74,7 +76,7 @@ fn read(path: &Path, most: u64) -> Result<Vec<u8>, Unread> {
     let mut bytes = Vec::new();
     file.by_ref().take(FIRST.min(most)).read_to_end(&mut bytes).map_err(Unread::System)?;
     if bytes.contains(&0) {
-        return Err(Unread::Content("this is not text in UTF-8: it holds zero bytes".to_owned()));
+        return Err(Unread::Content(format!("{NO_TEXT}: it holds zero bytes")));
     }
     let rest = most + 1 - bytes.len() as u64;
     file.take(rest).read_to_end(&mut bytes).map_err(Unread::System)?;

@@ -1,18 +1,29 @@
-//! All that is wrong with a scene file, each with its line, the place marked, and a text to write instead.
+//! All that is wrong with a scene file or a robot description, each with its line, the place marked, and a text to write instead.
 
 use std::io::IsTerminal;
 use std::ops::Range;
 
 use annotate_snippets::{AnnotationKind, Group, Level, Patch, Renderer, Snippet};
 
+use super::exit::Failure;
+use crate::inspect::InspectError;
 use crate::scenes::{Fault, SceneError};
 
+/// Bytes of a line above which it is not shown.
+const LONGEST: usize = 1000;
 /// Most faults that are shown.
 const MOST: usize = 20;
 
 /// The error for stderr: in colour on a terminal, but where `NO_COLOR` is set.
-pub(super) fn shown(error: &SceneError) -> String {
-    let SceneError::Content { file, text, faults } = error else { return format!("polhode: {error}") };
+pub(super) fn shown(failure: &Failure) -> String {
+    let (Failure::Scene(SceneError::Content { file, text, faults })
+    | Failure::Inspect(
+        InspectError::Scene(SceneError::Content { file, text, faults })
+        | InspectError::Content { file, text, faults },
+    )) = failure
+    else {
+        return format!("polhode: {failure}");
+    };
     let coloured =
         std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|v| v.is_empty());
     let renderer = if coloured { Renderer::styled() } else { Renderer::plain() };
@@ -59,11 +70,13 @@ fn block(renderer: &Renderer, file: &str, text: &str, fault: &Fault) -> String {
     renderer.render(&groups)
 }
 
-/// The part of a span that is on its first line; `None` where the text has no such place.
+/// The part of a span that is on its first line; `None` where the text has no such place, or the line is too long to show.
 fn first_line(text: &str, span: &Range<usize>) -> Option<Range<usize>> {
     let marked = text.get(span.start..span.end)?;
-    let end = marked.find(['\n', '\r']).unwrap_or(marked.len());
-    (!text.is_empty()).then(|| span.start..span.start + end)
+    let end = span.start + marked.find(['\n', '\r']).unwrap_or(marked.len());
+    let start = text[..span.start].rfind('\n').map_or(0, |before| before + 1);
+    let line = end - start + text[end..].find('\n').unwrap_or(text.len() - end);
+    (!text.is_empty() && line <= LONGEST).then_some(span.start..end)
 }
 
 #[cfg(test)]

@@ -148,10 +148,7 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>) -> u8 {
             exit::INTERRUPTED
         }
         Err(failure) => {
-            match &failure {
-                Failure::Scene(error) => eprintln!("{}", faults::shown(error)),
-                other => eprintln!("polhode: {other}"),
-            }
+            eprintln!("{}", faults::shown(&failure));
             failure.code()
         }
     }

@@ -2,10 +2,14 @@
 //!
 //! A document type is refused: entities, and with them XML bombs, need one.
 
+use std::ops::Range;
+use std::sync::Arc;
+
 use roxmltree::{Document, Error, Node, ParsingOptions};
 
 use super::printed::Printed;
 use crate::bounded::FileError;
+use crate::scenes;
 
 /// Most nodes of a file: a node takes some hundred bytes, so the tree stays below a gigabyte.
 const MOST_NODES: u32 = 4_000_000;
@@ -19,6 +23,10 @@ pub(super) struct Element {
     pub name: String,
     /// Line, from 1.
     pub line: usize,
+    /// Its bytes in the file that is inspected, its children included.
+    span: Range<usize>,
+    /// The included file that it stands in, with its line there.
+    inside: Option<Arc<str>>,
     attributes: Vec<(String, String)>,
     text: String,
     pub children: Vec<Element>,
@@ -87,6 +95,8 @@ impl Element {
         Element {
             name: node.tag_name().name().to_owned(),
             line: line_of(node),
+            span: node.range(),
+            inside: None,
             attributes: node
                 .attributes()
                 .map(|given| (given.name().to_owned(), given.value().trim().to_owned()))
@@ -98,6 +108,14 @@ impl Element {
                 .map(|child| Element::of(child, line_of))
                 .collect(),
         }
+    }
+
+    /// An element of an included file, in the place of `include`.
+    pub fn included(&mut self, include: &Element, file: &str) {
+        let further = self.inside.as_deref().unwrap_or_default();
+        self.inside = Some(format!("line {} of {file}: {further}", self.line).into());
+        (self.line, self.span) = (include.line, include.span.clone());
+        self.children.iter_mut().for_each(|child| child.included(include, file));
     }
 
     /// The value of an attribute.
@@ -126,24 +144,53 @@ impl Element {
     }
 }
 
-/// A fault of an element, before the name of the file is known.
+/// A fault of an element.
 #[derive(Debug)]
-pub(super) struct Fault {
-    /// Line, from 1.
-    pub line: usize,
-    /// What is wrong, and what to write instead.
-    pub why: String,
-}
+pub(super) struct Fault(scenes::Fault);
 
 impl Fault {
-    /// A fault of an element.
+    /// What is wrong with an element, and what to write instead.
     pub fn at(element: &Element, why: impl std::fmt::Display) -> Fault {
-        Fault { line: element.line, why: format!("<{}>: {why}", element.name) }
+        let inside = element.inside.as_deref().unwrap_or_default();
+        Fault(scenes::Fault {
+            line: element.line,
+            key: format!("<{}>", element.name),
+            message: format!("{inside}{why}"),
+            advice: String::new(),
+            span: element.span.clone(),
+            mend: None,
+        })
+    }
+}
+
+/// All faults of a file so far.
+#[derive(Debug, Default)]
+pub(super) struct Faults(Vec<scenes::Fault>);
+
+impl From<Fault> for Faults {
+    fn from(fault: Fault) -> Faults {
+        Faults(vec![fault.0])
+    }
+}
+
+impl Faults {
+    /// What was found; or nothing, and the faults are kept.
+    pub fn keep<T>(&mut self, found: Result<T, impl Into<Faults>>) -> Option<T> {
+        found.map_err(|faults| self.0.extend(faults.into().0)).ok()
     }
 
-    /// With the name of the file.
-    pub fn of(self, file: &str) -> FileError {
-        FileError::Content { file: file.to_owned(), line: self.line, why: self.why }
+    /// What was read; or the faults, where there are any.
+    pub fn or<T>(self, read: Option<T>) -> Result<T, Faults> {
+        match read {
+            Some(read) if self.0.is_empty() => Ok(read),
+            _ => Err(self),
+        }
+    }
+
+    /// In the order of the file.
+    pub fn sorted(mut self) -> Vec<scenes::Fault> {
+        self.0.sort_by_key(|fault| (fault.line, fault.span.start));
+        self.0
     }
 }
 

@@ -1,7 +1,7 @@
 //! A file whose bodies cannot be inspected.
 
 use crate::bounded::FileError;
-use crate::scenes::SceneError;
+use crate::scenes::{Fault, SceneError, lines};
 
 /// Why the bodies of a file cannot be inspected.
 #[derive(Debug, thiserror::Error)]
@@ -9,6 +9,16 @@ pub enum InspectError {
     /// The file cannot be read, or says something that no robot description can mean.
     #[error(transparent)]
     File(#[from] FileError),
+    /// A robot description with faults.
+    #[error("{}", lines(file, faults))]
+    Content {
+        /// File as the user named it.
+        file: String,
+        /// What it says.
+        text: String,
+        /// All that is wrong, in the order of the file.
+        faults: Vec<Fault>,
+    },
     /// A scene file.
     #[error(transparent)]
     Scene(#[from] SceneError),

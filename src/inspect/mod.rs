@@ -151,7 +151,11 @@ fn read(text: &str, file: &str, path: &Path) -> Result<Robot, InspectError> {
             return Err(FileError::Content { file: file.to_owned(), line: root.line, why }.into());
         }
     }
-    .map_err(|fault| fault.of(file).into())
+    .map_err(|faults| InspectError::Content {
+        file: file.to_owned(),
+        text: text.to_owned(),
+        faults: faults.sorted(),
+    })
 }
 
 impl Inspection {

@@ -6,7 +6,7 @@
 use nalgebra::Vector3;
 
 use super::Stepping;
-use super::element::{Element, Fault, finite, number};
+use super::element::{Element, Fault, Faults, finite, number};
 use super::link::{Inertial, Link, Robot, SIX, Source};
 use super::pose;
 use super::printed::Printed;
@@ -17,31 +17,28 @@ const WATER: f64 = 1000.0;
 /// Step where `<physics>` gives none [s].
 const STEP: f64 = 0.001;
 
-pub(super) fn read(root: &Element) -> Result<Robot, Fault> {
+pub(super) fn read(root: &Element) -> Result<Robot, Faults> {
+    let mut faults = Faults::default();
     let mut robot = Robot { format: "sdf", ..Robot::default() };
     let holders = || std::iter::once(root).chain(root.all("world"));
     let models: Vec<&Element> = holders().flat_map(|holder| holder.all("model")).collect();
     let several = models.len() > 1;
     for model in models {
         let prefix = if several { model.attribute("name").map(|name| format!("{name}::")) } else { None };
-        read_model(model, &prefix.unwrap_or_default(), false, &mut robot)?;
+        read_model(model, &prefix.unwrap_or_default(), false, (&mut robot, &mut faults));
     }
     let links: Vec<&Element> = holders().flat_map(|holder| holder.all("link")).collect();
-    for element in links {
-        robot.links.push(link(element, "", false)?);
-    }
-    robot.stepping = stepping(root)?;
-    Ok(robot)
+    robot.links.extend(links.into_iter().filter_map(|element| faults.keep(link(element, "", false))));
+    robot.stepping = faults.keep(stepping(root)).flatten();
+    faults.or(Some(robot))
 }
 
-fn read_model(model: &Element, prefix: &str, fixed: bool, robot: &mut Robot) -> Result<(), Fault> {
+fn read_model(model: &Element, prefix: &str, fixed: bool, (robot, faults): (&mut Robot, &mut Faults)) {
     let fixed = fixed || model.child("static").is_some_and(|given| ["true", "1"].contains(&given.text()));
-    for element in model.all("link") {
-        robot.links.push(link(element, prefix, fixed)?);
-    }
+    robot.links.extend(model.all("link").filter_map(|element| faults.keep(link(element, prefix, fixed))));
     for inner in model.all("model") {
         let name = inner.attribute("name").unwrap_or("model");
-        read_model(inner, &format!("{prefix}{name}::"), fixed, robot)?;
+        read_model(inner, &format!("{prefix}{name}::"), fixed, (&mut *robot, &mut *faults));
     }
     for include in model.all("include") {
         let uri = include.child("uri").map_or("", Element::text);
@@ -50,18 +47,19 @@ fn read_model(model: &Element, prefix: &str, fixed: bool, robot: &mut Robot) -> 
             include.line
         ));
     }
-    Ok(())
 }
 
-fn link(element: &Element, prefix: &str, fixed: bool) -> Result<Link, Fault> {
-    let name = element.attribute("name").ok_or_else(|| Fault::at(element, "has no name"))?;
+fn link(element: &Element, prefix: &str, fixed: bool) -> Result<Link, Faults> {
+    let mut faults = Faults::default();
+    let name = faults.keep(element.attribute("name").ok_or_else(|| Fault::at(element, "has no name")));
+    let name = name.unwrap_or_default();
     let mut link = Link { name: format!("{prefix}{name}"), line: element.line, ..Link::default() };
     for part in element.children.iter().filter(|part| ["collision", "visual"].contains(&part.name.as_str())) {
-        match solid(part)? {
-            Form::Solid(solid) if part.name == "collision" => link.solids.push(solid),
-            Form::Solid(solid) => link.drawn.push(solid),
-            Form::Unknown => link.meshes += 1,
-            Form::Unbounded => {}
+        match faults.keep(solid(part)) {
+            Some(Form::Solid(solid)) if part.name == "collision" => link.solids.push(solid),
+            Some(Form::Solid(solid)) => link.drawn.push(solid),
+            Some(Form::Unknown) => link.meshes += 1,
+            Some(Form::Unbounded) | None => {}
         }
     }
     match element.child("inertial") {
@@ -71,17 +69,19 @@ fn link(element: &Element, prefix: &str, fixed: bool) -> Result<Link, Fault> {
         }
         Some(given) => {
             link.inertials = element.all("inertial").count();
-            if ["true", "1"].contains(&given.attribute("auto").unwrap_or_default()) {
-                automatic(given, &mut link)?;
+            let auto = ["true", "1"].contains(&given.attribute("auto").unwrap_or_default());
+            let read = if auto {
+                automatic(given, &mut link).map_err(Faults::from)
             } else {
-                explicit(given, &mut link)?;
-            }
+                explicit(given, &mut link)
+            };
+            faults.keep(read);
         }
     }
-    Ok(link)
+    faults.or(Some(link))
 }
 
-fn explicit(given: &Element, link: &mut Link) -> Result<(), Fault> {
+fn explicit(given: &Element, link: &mut Link) -> Result<(), Faults> {
     let one = |element: Option<&Element>, default: &str| match element {
         Some(element) => number(element, element.text()),
         None => Printed::parse(default).ok_or_else(|| Fault::at(given, "")),
@@ -94,14 +94,17 @@ fn explicit(given: &Element, link: &mut Link) -> Result<(), Fault> {
     if tensor.is_none() {
         link.notes.push("no <inertia>: 1 kg m² about every axis is the default".to_owned());
     }
-    let mut six: [Printed; 6] = Default::default();
+    let (mut six, mut faults): ([Printed; 6], Faults) = Default::default();
     for (place, name) in SIX.into_iter().enumerate() {
         let default = if super::link::MOMENTS.contains(&place) { "1" } else { "0" };
-        six[place] = one(tensor.and_then(|tensor| tensor.child(name)), default)?;
+        let read = one(tensor.and_then(|tensor| tensor.child(name)), default);
+        six[place] = faults.keep(read).unwrap_or_default();
     }
-    link.inertial = Some(Inertial { mass: one(mass, "1")?, six, pose: pose::sdf(given)? });
+    let mass = faults.keep(one(mass, "1"));
+    let pose = faults.keep(pose::sdf(given));
+    link.inertial = mass.zip(pose).map(|(mass, pose)| Inertial { mass, six, pose });
     link.source = Source::Explicit;
-    Ok(())
+    faults.or(Some(()))
 }
 
 fn automatic(given: &Element, link: &mut Link) -> Result<(), Fault> {

@@ -5,98 +5,166 @@ use std::path::Path;
 use rayon::prelude::*;
 
 use super::layout::{self, FIELDS, Reading, Separator, number};
-use super::row::{COLUMNS, Log, Part, Parts, Row};
+use super::row::{COLUMNS, Log, Marks, Parts, Row};
 use super::said::Said;
-use super::units;
-use crate::bounded::{self, FileError};
+use super::source::{CHUNK, Source};
+use super::units::Units;
+use crate::bounded::{FileError, NO_TEXT};
 
 /// Bytes that one thread reads at a time.
 const PIECE: usize = 1 << 20;
-/// Most rows: 1.2 GB of numbers.
+/// Most rows that are kept: 1.2 GB of numbers.
 const MOST_ROWS: usize = 10_000_000;
 /// Most bytes of a first line.
 const MOST_OF_A_HEADER: usize = 1 << 20;
-/// Length of a quaternion below which it is none: printed to one digit, a unit quaternion keeps 0.85.
-const NO_QUATERNION: f64 = 0.1;
+/// Bytes at the end of a file among which its last row is looked for.
+const TAIL: usize = 1 << 16;
 
-/// Reads a file.
-pub(super) fn read(path: &Path, said: &Said) -> Result<Log, FileError> {
-    let text = bounded::text(path, bounded::MOST_OF_A_LOG)?;
-    parse(&text, &path.display().to_string(), said)
+/// A file whose header was read.
+#[derive(Debug)]
+pub(super) struct Table<'a> {
+    source: Source<'a>,
+    /// Its name in messages.
+    file: String,
+    pub reading: Reading,
+    /// Where its rows begin [bytes], and the lines before.
+    from: u64,
+    pub lines_before: usize,
 }
 
-/// Reads the text of a file.
-pub(super) fn parse(text: &str, file: &str, said: &Said) -> Result<Log, FileError> {
-    let refuse = |line, why: String| FileError::Content { file: file.to_owned(), line, why };
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let Some(head) = Head::of(text) else {
-        let why = format!("the file is empty: write a header {}, then rows", COLUMNS.join(","));
-        return Err(refuse(1, why));
-    };
-    if head.line.len() > MOST_OF_A_HEADER {
-        let why = format!("the line has more than {MOST_OF_A_HEADER} bytes, which no header has");
-        return Err(refuse(head.lines_before + 1, why));
+impl Table<'_> {
+    /// Opens a file and reads its header.
+    pub fn open(path: &Path, said: &Said) -> Result<Table<'static>, FileError> {
+        Table::of(Source::open(path)?, path.display().to_string(), said)
     }
-    let reading = Reading::find(head.comment, head.line, said.columns.as_ref());
-    let mut reading = reading.map_err(|why| refuse(head.lines_before + 1, why))?;
-    let (after, lines_before) =
-        if reading.header { (head.after, head.lines_before + 1) } else { (head.from, head.lines_before) };
-    if let (Some(sequence), Some(said)) = (&mut reading.sequence, said.sequence) {
-        *sequence = said;
-    }
-    if after.bytes().filter(|byte| *byte == b'\n').count() > MOST_ROWS {
-        return Err(refuse(
-            lines_before + 1,
-            format!("there are more than {MOST_ROWS} rows: write every tenth"),
-        ));
-    }
-    let cut_is_allowed = !text.ends_with('\n');
-    let (rows, mut notes) =
-        rows(after, &reading, lines_before, cut_is_allowed).map_err(|(line, why)| refuse(line, why))?;
-    if rows.is_empty() {
-        return Err(refuse(
-            lines_before + 1,
-            "there is a header and no whole row: nothing to judge".to_owned(),
-        ));
-    }
-    let parts = reading.parts();
-    notes.extend(missing_columns(parts));
-    let mut log = Log { rows, parts, lacking: [0; 4], reading, notes };
-    units::apply(&mut log, said);
-    let first = log.rows.first().map_or(lines_before + 1, |row| row.line as usize);
-    finish(&mut log);
-    if log.rows.iter().all(|row| row.parts == Parts::default()) {
-        return Err(refuse(first, "no row has finite numbers: nothing to judge".to_owned()));
-    }
-    Ok(log)
-}
 
-/// The rows of the text after a header, and what was seen on the way; or the line that is no row, and why.
-fn rows(
-    text: &str,
-    reading: &Reading,
-    lines_before: usize,
-    cut_is_allowed: bool,
-) -> Result<(Vec<Row>, Vec<String>), (usize, String)> {
-    let (mut rows, mut notes) = (Vec::new(), Vec::new());
-    let pieces: Vec<Piece> = pieces(text).into_par_iter().map(|piece| read_piece(piece, reading)).collect();
-    rows.reserve(pieces.iter().map(|piece| piece.rows.len()).sum());
-    let (mut before, last) = (lines_before, pieces.len());
-    for (index, mut piece) in pieces.into_iter().enumerate() {
-        if let Some((line, issue)) = piece.issue {
-            let cut = cut_is_allowed && index + 1 == last && line == piece.lines;
-            match issue {
-                Issue::Short if cut => {
-                    notes.push(format!("the last row, line {}, is cut and was left out", before + line));
-                }
-                issue => return Err((before + line, issue.in_words())),
-            }
+    /// Reads the header of what is there.
+    pub fn of<'s>(source: Source<'s>, file: String, said: &Said) -> Result<Table<'s>, FileError> {
+        let refuse = |line, why: String| FileError::Content { file: file.clone(), line, why };
+        let unreadable = |source| FileError::Unreadable { file: file.clone(), source };
+        let first = source.some(0, CHUNK).map_err(unreadable)?;
+        // What is no text stands in a row, or there is no header before it: both are refused with their line.
+        let valid = first.utf8_chunks().next().map_or("", |chunk| chunk.valid());
+        let text = valid.strip_prefix('\u{feff}').unwrap_or(valid);
+        let Some(head) = Head::of(text) else {
+            let why = match first.len() {
+                length if valid.len() < length => format!("{NO_TEXT}: save the file as UTF-8"),
+                CHUNK => format!("the first {} MiB are comments: write a header", CHUNK >> 20),
+                _ => format!("the file is empty: write a header {}, then rows", COLUMNS.join(",")),
+            };
+            return Err(refuse(1, why));
+        };
+        if head.line.len() > MOST_OF_A_HEADER {
+            let why = format!("the line has more than {MOST_OF_A_HEADER} bytes, which no header has");
+            return Err(refuse(head.lines_before + 1, why));
         }
-        piece.rows.iter_mut().for_each(|row| row.line += before as u32);
-        rows.append(&mut piece.rows);
-        before += piece.lines;
+        let reading = Reading::find(head.comment, head.line, said.columns.as_ref());
+        let mut reading = reading.map_err(|why| refuse(head.lines_before + 1, why))?;
+        let (rest, lines_before) =
+            if reading.header { (head.after, head.lines_before + 1) } else { (head.from, head.lines_before) };
+        if let (Some(sequence), Some(said)) = (&mut reading.sequence, said.sequence) {
+            *sequence = said;
+        }
+        let from = (valid.len() - rest.len()) as u64;
+        Ok(Table { source, file, reading, from, lines_before })
     }
-    Ok((rows, notes))
+
+    /// Bytes of the file.
+    pub fn length(&self) -> u64 {
+        self.source.length()
+    }
+
+    pub fn refuse(&self, line: usize, why: impl Into<String>) -> FileError {
+        FileError::Content { file: self.file.clone(), line, why: why.into() }
+    }
+
+    fn unreadable(&self, source: std::io::Error) -> FileError {
+        FileError::Unreadable { file: self.file.clone(), source }
+    }
+
+    /// Hands over all rows as the file has them, some at a time, until `take` says that it has enough; returns what is to be said.
+    pub fn rows(&self, take: &mut dyn FnMut(Vec<Row>) -> bool) -> Result<Vec<String>, FileError> {
+        let (mut before, mut refused, mut notes) = (self.lines_before, None, Vec::new());
+        let lines = &mut |bytes: &[u8]| {
+            let mut rows = Vec::new();
+            let pieces: Vec<Piece> = pieces(bytes).into_par_iter().map(|piece| self.piece(piece)).collect();
+            for mut piece in pieces {
+                match piece.issue {
+                    Some((line, Issue::Short)) if piece.cut && line == piece.lines => {
+                        notes.push(format!("the last row, line {}, is cut and was left out", before + line));
+                    }
+                    Some((line, issue)) => {
+                        refused = Some(self.refuse(before + line, issue.in_words()));
+                        return false;
+                    }
+                    None => {}
+                }
+                piece.rows.iter_mut().for_each(|row| row.line += before as u32);
+                rows.append(&mut piece.rows);
+                before += piece.lines;
+            }
+            take(rows)
+        };
+        self.source.lines(self.from, lines).map_err(|source| self.unreadable(source))?;
+        refused.map_or(Ok(notes), Err)
+    }
+
+    /// The rows in the first bytes of the file and in the last, as far as they are rows.
+    pub fn ends(&self) -> Result<(Vec<Row>, Vec<Row>), FileError> {
+        let some = |from, most| self.source.some(from, most).map_err(|source| self.unreadable(source));
+        let whole =
+            |bytes: &[u8]| bytes.iter().rposition(|byte| *byte == b'\n').map_or(bytes.len(), |end| end + 1);
+        let first = some(self.from, PIECE)?;
+        let last = some(self.length().saturating_sub(TAIL as u64).max(self.from), TAIL)?;
+        let begins = last.iter().position(|byte| *byte == b'\n').map_or(last.len(), |end| end + 1);
+        Ok((self.piece(&first[..whole(&first)]).rows, self.piece(&last[begins..]).rows))
+    }
+
+    /// All rows, in memory and in the order of their times.
+    pub fn log(&self, said: &Said) -> Result<Log, FileError> {
+        let mut rows = Vec::new();
+        let mut notes = self.rows(&mut |mut more| {
+            rows.append(&mut more);
+            rows.len() <= MOST_ROWS
+        })?;
+        if rows.is_empty() {
+            let why = "there is a header and no whole row: nothing to judge";
+            return Err(self.refuse(self.lines_before + 1, why));
+        }
+        if rows.len() > MOST_ROWS {
+            let why =
+                format!("more than {MOST_ROWS} rows cannot be put in order: sort them, or write every tenth");
+            return Err(self.refuse(self.lines_before + 1, why));
+        }
+        notes.extend(self.reading.missing_columns());
+        let units = Units::of(&rows, &self.reading, said);
+        units.apply(&mut rows);
+        notes.extend(units.notes());
+        let first = rows[0].line as usize;
+        let mut marks = Marks::default();
+        marks.mark(self.reading.parts(), &mut rows);
+        notes.extend(marks.notes());
+        notes.extend(in_order(&mut rows));
+        if rows.iter().all(|row| row.parts == Parts::default()) {
+            return Err(self.refuse(first, "no row has finite numbers: nothing to judge"));
+        }
+        Ok(Log::of(rows, marks.lacking, self.reading.clone(), notes))
+    }
+
+    fn piece(&self, bytes: &[u8]) -> Piece {
+        read_piece(bytes, &self.reading)
+    }
+}
+
+/// Puts rows in the order of their times; says so where they were not.
+fn in_order(rows: &mut [Row]) -> Option<String> {
+    let back = |pair: &&[Row]| pair[1].time() < pair[0].time();
+    let first = rows.windows(2).find(back)?;
+    let (line, count) = (first[1].line, rows.windows(2).filter(back).count());
+    rows.sort_by(|a, b| a.time().total_cmp(&b.time()));
+    Some(format!(
+        "{count} times go back, the first in line {line}; the rows were put in the order of their times"
+    ))
 }
 
 /// The beginning of a file.
@@ -146,14 +214,6 @@ fn is_header(line: &str) -> bool {
     known > 1 && super::columns::meaning(names[0]).is_some()
 }
 
-fn missing_columns(parts: Parts) -> Vec<String> {
-    let missing = Part::ALL.into_iter().filter(|part| !parts.has(*part));
-    let note = |part: Part| {
-        format!("no column {}: what needs it is not applicable", COLUMNS[part.columns()].join(", "))
-    };
-    missing.map(note).collect()
-}
-
 /// Some lines of a file, read; lines are counted from 1 in the piece.
 #[derive(Default)]
 struct Piece {
@@ -161,11 +221,14 @@ struct Piece {
     /// The first line that is no row, where there is one; nothing after it was read.
     issue: Option<(usize, Issue)>,
     lines: usize,
+    /// Whether the last line has no end.
+    cut: bool,
 }
 
 /// What is wrong with a line.
 enum Issue {
     Short,
+    NoText,
     NoNumber { field: usize, text: String },
 }
 
@@ -173,6 +236,7 @@ impl Issue {
     fn in_words(&self) -> String {
         match self {
             Issue::Short => "the row has fewer columns than the header".to_owned(),
+            Issue::NoText => format!("{NO_TEXT}: save the file as UTF-8"),
             Issue::NoNumber { field, text } => {
                 format!("column {} holds '{text}', which is not a number", FIELDS[*field])
             }
@@ -180,24 +244,25 @@ impl Issue {
     }
 }
 
-/// The text in pieces of about [`PIECE`], each of whole lines.
-fn pieces(mut text: &str) -> Vec<&str> {
+/// The lines in pieces of about [`PIECE`].
+fn pieces(mut bytes: &[u8]) -> Vec<&[u8]> {
     let mut pieces = Vec::new();
-    while text.len() > PIECE {
-        let end = text.as_bytes()[PIECE..].iter().position(|byte| *byte == b'\n');
+    while bytes.len() > PIECE {
+        let end = bytes[PIECE..].iter().position(|byte| *byte == b'\n');
         let Some(end) = end else { break };
-        let (piece, rest) = text.split_at(PIECE + end + 1);
+        let (piece, rest) = bytes.split_at(PIECE + end + 1);
         pieces.push(piece);
-        text = rest;
+        bytes = rest;
     }
-    if !text.is_empty() {
-        pieces.push(text);
+    if !bytes.is_empty() {
+        pieces.push(bytes);
     }
     pieces
 }
 
-fn read_piece(text: &str, reading: &Reading) -> Piece {
-    let mut piece = Piece::default();
+fn read_piece(bytes: &[u8], reading: &Reading) -> Piece {
+    let mut piece = Piece { cut: !bytes.ends_with(b"\n"), ..Piece::default() };
+    let text = bytes.utf8_chunks().next().map_or("", |chunk| chunk.valid());
     for line in text.lines() {
         piece.lines += 1;
         if line.trim().is_empty() || is_comment(line.trim_start()) {
@@ -216,6 +281,10 @@ fn read_piece(text: &str, reading: &Reading) -> Piece {
                 break;
             }
         }
+    }
+    if text.len() < bytes.len() && piece.issue.as_ref().is_none_or(|(line, _)| *line == piece.lines) {
+        let line = 1 + text.bytes().filter(|byte| *byte == b'\n').count();
+        piece.issue = Some((line, Issue::NoText));
     }
     piece
 }
@@ -241,47 +310,4 @@ fn row<'a>(mut cells: impl Iterator<Item = &'a str>, reading: &Reading) -> Resul
         values[place] = value;
     }
     Ok(values)
-}
-
-/// Says of each row which parts it has, leaves out those without a time, and puts them in order.
-fn finish(log: &mut Log) {
-    let all = log.rows.len();
-    let mut first = [None; 4];
-    for row in &mut log.rows {
-        row.parts = log.parts;
-        for part in log.parts.each() {
-            let numbers = &row.values[part.columns()];
-            let length = numbers.iter().map(|x| x * x).sum::<f64>().sqrt();
-            let none = part == Part::Orientation && length < NO_QUATERNION;
-            if none || numbers.iter().any(|x| !x.is_finite()) {
-                row.parts = row.parts.without(part);
-                log.lacking[part as usize] += 1;
-                first[part as usize].get_or_insert(row.line);
-            }
-        }
-    }
-    for part in log.parts.each() {
-        if let Some(line) = first[part as usize] {
-            let count = log.lacking[part as usize];
-            let word = part.word();
-            log.notes.push(format!(
-                "{count} of {all} rows have no {word} (zeros, NaN, infinity or an empty cell) and were left out where it counts, the first in line {line}"
-            ));
-        }
-    }
-    // A row without any quantity stays: its time may be the end that is asked for.
-    log.rows.retain(|row| row.time().is_finite());
-    if log.rows.len() < all {
-        let count = all - log.rows.len();
-        log.notes.push(format!("{count} rows have no time and were left out"));
-    }
-    if log.rows.windows(2).any(|pair| pair[1].time() < pair[0].time()) {
-        let back: Vec<&[Row]> = log.rows.windows(2).filter(|pair| pair[1].time() < pair[0].time()).collect();
-        let line = back[0][1].line;
-        log.notes.push(format!(
-            "{} times go back, the first in line {line}; the rows were put in the order of their times",
-            back.len()
-        ));
-        log.rows.sort_by(|a, b| a.time().total_cmp(&b.time()));
-    }
 }

@@ -7,7 +7,7 @@
 
 use nalgebra::{Quaternion, Vector3};
 
-use super::row::{Part, Parts, Row};
+use super::row::{Log, Part, Parts, Row};
 use crate::rotation::{self, Rotation};
 
 /// Pairs of rows that are looked at.
@@ -80,16 +80,16 @@ pub enum FrameCheck {
     Nothing(&'static str),
 }
 
-/// Holds a log against every convention; `has` says whether it has the columns. `known` is the convention that
+/// Holds a log against every convention. `known` is the convention that
 /// was declared, where the orientations under it are those of the reference; `fastest` the largest angular velocity of the reference
 /// [rad/s], where there is one: a body that turns by more than a radian between two rows may show any turn.
-pub(super) fn check(rows: &[Row], has: bool, known: Option<Convention>, fastest: f64) -> FrameCheck {
-    if !has {
+pub(super) fn check(log: &Log, known: Option<Convention>, fastest: f64) -> FrameCheck {
+    if !log.parts.covers(Parts::of(&[Part::Orientation, Part::Spin])) {
         return FrameCheck::Nothing("it needs qw, qx, qy, qz and wx, wy, wz");
     }
-    let stride = (rows.len() / PAIRS).max(1);
+    let stride = (log.rows.len() / PAIRS).max(1);
     let says = |pair: &&[Row]| says_something(pair, fastest);
-    let pairs: Vec<&[Row]> = rows.windows(2).step_by(stride).filter(says).collect();
+    let pairs: Vec<&[Row]> = log.pairs().step_by(stride).filter(says).collect();
     if pairs.len() < FEWEST_PAIRS {
         return FrameCheck::Nothing(
             "fewer than three pairs of rows are less than a radian apart: the rows are too far apart to check w",

@@ -110,6 +110,16 @@ impl Reading {
         Parts::of(&Part::ALL.into_iter().filter(has).collect::<Vec<_>>())
     }
 
+    /// What there are no columns for.
+    pub fn missing_columns(&self) -> Vec<String> {
+        let parts = self.parts();
+        let missing = Part::ALL.into_iter().filter(|part| !parts.has(*part));
+        let note = |part: Part| {
+            format!("no column {}: what needs it is not applicable", COLUMNS[part.columns()].join(", "))
+        };
+        missing.map(note).collect()
+    }
+
     /// What the first lines of a file say: the last comment before `line`, which is the first that is none.
     pub fn find(comment: Option<&str>, line: &str, asked: Option<&Columns>) -> Result<Reading, String> {
         let separator = Separator::of(line);

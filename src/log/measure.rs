@@ -1,4 +1,4 @@
-//! Errors of a log and the metrics of a run, over all of its rows at once.
+//! Errors of a log and the metrics of a run, over all of its rows.
 //!
 //! A piece of the log is held against the reference as a run is. The samples of the reference stand before the rows of every piece, on both
 //! sides: what a metric divides by is then that of the whole motion, and memory does not grow with the log.
@@ -71,13 +71,12 @@ impl Readings {
         }
     }
 
-    fn joined(mut self, other: &Readings) -> Readings {
+    fn join(&mut self, other: &Readings) {
         for quantity in Quantity::ALL {
             self.errors[quantity].join(&other.errors[quantity]);
         }
         self.metrics.iter_mut().zip(&other.metrics).for_each(|(a, b)| a.join(b));
         self.unit = self.unit.max(other.unit);
-        self
     }
 }
 
@@ -85,53 +84,84 @@ fn metrics() -> impl Iterator<Item = &'static Metric> {
     measure::ALL.iter().filter(|metric| metric.name != NOT_OF_LOGS)
 }
 
-/// A log as states in world axes.
+/// Rows as states in world axes.
 #[derive(Clone, Copy)]
 pub(super) struct Reader<'a> {
-    pub log: &'a Log,
     pub system: &'a System,
     pub declared: Convention,
 }
 
-/// Everything that is measured on a log.
-pub(super) fn measure(
-    reader: &Reader,
-    track: Result<&Track, &String>,
-    notes: &mut Vec<String>,
-) -> Vec<Finding> {
-    let rows = &reader.log.rows;
-    let grid = track.map(|track| track.samples()).unwrap_or_default();
-    let pieces: Vec<Readings> = rows
-        .par_chunks(CHUNK)
-        .enumerate()
-        .map(|(piece, rows)| match track {
-            Ok(track) => reader.readings(track, &grid, rows, piece * CHUNK),
-            Err(_) => Readings::none(),
-        })
-        .collect();
-    let readings = pieces.iter().fold(Readings::none(), Readings::joined);
-    if readings.unit > UNIT {
-        let off = readings.unit;
-        notes.push(format!("quaternions are off unit length by up to {off:.2e} and were normalised"));
+/// What is measured on a log, row by row.
+pub(super) struct Meter<'a> {
+    reader: Reader<'a>,
+    track: Result<&'a Track, &'a String>,
+    grid: Vec<Snapshot>,
+    readings: Readings,
+    /// Rows so far.
+    rows: usize,
+}
+
+impl<'a> Meter<'a> {
+    pub fn new(reader: Reader<'a>, track: Result<&'a Track, &'a String>) -> Meter<'a> {
+        let grid = track.map(|track| track.samples()).unwrap_or_default();
+        Meter { reader, track, grid, readings: Readings::none(), rows: 0 }
     }
-    let uncertainty = track.map(|track| track.uncertainty).unwrap_or(PerQuantity::all(f64::NAN));
-    let finding = |name, unit, needed, extreme: &Extreme, uncertainty| Finding {
-        name,
-        unit,
-        value: match track {
-            Err(why) => Err(format!("no reference: {why}")),
-            Ok(_) => reader.value(needed, extreme, uncertainty),
-        },
-    };
-    let errors = Quantity::ALL
-        .into_iter()
-        .map(|q| finding(q.name(), q.unit(), parts_of(q), &readings.errors[q], uncertainty[q]));
-    // A metric is a ratio or an angle: the relative uncertainties of what it is made of.
-    let relative = relative(reader.system, &grid, &uncertainty);
-    let metrics = metrics().zip(&readings.metrics).map(|(metric, extreme)| {
-        finding(metric.name, metric.unit, reader.parts_of_metric(metric), extreme, relative)
-    });
-    errors.chain(metrics).collect()
+
+    /// Measures the next rows.
+    pub fn take(&mut self, rows: &[Row]) {
+        let (from, grid) = (self.rows, &self.grid);
+        self.rows += rows.len();
+        let Ok(track) = self.track else { return };
+        let read = |(piece, rows)| self.reader.readings(track, grid, rows, from + piece * CHUNK);
+        let pieces: Vec<Readings> = rows.par_chunks(CHUNK).enumerate().map(read).collect();
+        pieces.iter().for_each(|piece| self.readings.join(piece));
+    }
+
+    /// Everything that was measured, of the log whose rows these were.
+    pub fn findings(&self, log: &Log, notes: &mut Vec<String>) -> Vec<Finding> {
+        let (readings, track) = (&self.readings, self.track);
+        if readings.unit > UNIT {
+            let off = readings.unit;
+            notes.push(format!("quaternions are off unit length by up to {off:.2e} and were normalised"));
+        }
+        let uncertainty = track.map(|track| track.uncertainty).unwrap_or(PerQuantity::all(f64::NAN));
+        let finding = |name, unit, needed, extreme: &Extreme, uncertainty| Finding {
+            name,
+            unit,
+            value: match track {
+                Err(why) => Err(format!("no reference: {why}")),
+                Ok(_) => value(log, needed, extreme, uncertainty),
+            },
+        };
+        let errors = Quantity::ALL
+            .into_iter()
+            .map(|q| finding(q.name(), q.unit(), parts_of(q), &readings.errors[q], uncertainty[q]));
+        // A metric is a ratio or an angle: the relative uncertainties of what it is made of.
+        let relative = relative(self.reader.system, &self.grid, &uncertainty);
+        let metrics = metrics().zip(&readings.metrics).map(|(metric, extreme)| {
+            finding(metric.name, metric.unit, self.reader.parts_of_metric(metric), extreme, relative)
+        });
+        errors.chain(metrics).collect()
+    }
+}
+
+fn value(log: &Log, needed: Parts, extreme: &Extreme, uncertainty: f64) -> Result<Value, String> {
+    if let Some(part) = log.parts.missing(needed) {
+        return Err(format!("it needs {}", super::row::COLUMNS[part.columns()].join(", ")));
+    }
+    if extreme.rows == 0 {
+        return Err(match needed.each().find(|part| log.lacking[*part as usize] > 0) {
+            Some(part) => format!("no row has the {} that it needs", part.word()),
+            None => "this motion has none".to_owned(),
+        });
+    }
+    Ok(Value {
+        end: (extreme.last + 1 == log.count).then_some(extreme.end),
+        max: extreme.max,
+        time: extreme.at,
+        rows: extreme.rows,
+        uncertainty,
+    })
 }
 
 fn relative(system: &System, grid: &[Snapshot], uncertainty: &PerQuantity<f64>) -> f64 {
@@ -188,26 +218,6 @@ impl Reader<'_> {
             "total-energy" if free => Parts::of(&Part::ALL),
             _ => Parts::of(&[Part::Orientation, Part::Spin]),
         }
-    }
-
-    fn value(&self, needed: Parts, extreme: &Extreme, uncertainty: f64) -> Result<Value, String> {
-        if let Some(part) = self.log.parts.missing(needed) {
-            return Err(format!("it needs {}", super::row::COLUMNS[part.columns()].join(", ")));
-        }
-        if extreme.rows == 0 {
-            return Err(match needed.each().find(|part| self.log.lacking[*part as usize] > 0) {
-                Some(part) => format!("no row has the {} that it needs", part.word()),
-                None => "this motion has none".to_owned(),
-            });
-        }
-        let all = self.log.rows.len();
-        Ok(Value {
-            end: (extreme.last + 1 == all).then_some(extreme.end),
-            max: extreme.max,
-            time: extreme.at,
-            rows: extreme.rows,
-            uncertainty,
-        })
     }
 
     fn readings(&self, track: &Track, grid: &[Snapshot], rows: &[Row], from: usize) -> Readings {

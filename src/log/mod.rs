@@ -13,6 +13,8 @@ mod measure;
 mod row;
 mod said;
 mod series;
+mod source;
+mod stream;
 mod times;
 mod track;
 mod units;
@@ -31,8 +33,12 @@ pub use series::{Deviation, Series};
 pub use units::{AngleUnit, TimeUnit};
 pub use verdict::Verdict;
 
-use measure::Reader;
-use row::{Log, Part, Parts};
+use file::Table;
+use layout::Reading;
+use measure::{Meter, Reader};
+use row::Log;
+use source::Source;
+use times::Odd;
 use track::Track;
 
 /// Durations of the scene after which a log is no longer compared with it.
@@ -108,16 +114,15 @@ pub struct Judgement {
     pub notes: Vec<String>,
 }
 
-/// Judges a file.
+/// Bytes of a file above which its rows are not kept.
+const LONG: u64 = 16 << 20;
+
+/// Judges a file. A long one is read in constant memory where its rows are in order and no errors of single rows are asked for.
 ///
 /// # Errors
 /// [`FileError`]: it cannot be read, or is no trajectory.
 pub fn judge(path: &Path, scene: &Scene, request: &Request) -> Result<Judgement, FileError> {
-    judge_log(file::read(path, &request.said)?, scene, request).map_err(|why| FileError::Content {
-        file: path.display().to_string(),
-        line: 2,
-        why,
-    })
+    judge_table(&Table::open(path, &request.said)?, scene, request, LONG)
 }
 
 /// Judges the text of a file.
@@ -125,113 +130,143 @@ pub fn judge(path: &Path, scene: &Scene, request: &Request) -> Result<Judgement,
 /// # Errors
 /// [`FileError`]: it is no trajectory.
 pub fn judge_text(text: &str, scene: &Scene, request: &Request) -> Result<Judgement, FileError> {
-    judge_log(file::parse(text, "log", &request.said)?, scene, request).map_err(|why| FileError::Content {
-        file: "log".to_owned(),
-        line: 2,
-        why,
-    })
+    let source = Source::Bytes(text.as_bytes().into());
+    judge_table(&Table::of(source, "log".to_owned(), &request.said)?, scene, request, LONG)
+}
+
+fn judge_table(table: &Table, scene: &Scene, request: &Request, long: u64) -> Result<Judgement, FileError> {
+    if table.length() > long
+        && let Some(judgement) = stream::judge(table, scene, request)?
+    {
+        return Ok(judgement);
+    }
+    judge_log(table.log(&request.said)?, scene, request)
+        .map_err(|why| table.refuse(table.lines_before + 1, why))
 }
 
 fn judge_log(mut log: Log, scene: &Scene, request: &Request) -> Result<Judgement, String> {
-    let mut declared = Convention {
-        spin_in_body_axes: request.spin_in_body_axes.unwrap_or(log.reading.spin_in_body_axes),
-        world_to_body: request.world_to_body.unwrap_or(false),
-    };
-    if request.spin_in_body_axes.is_none() && declared.spin_in_body_axes {
-        log.notes.push("angular velocities are in body axes, as the names of the columns say".to_owned());
-    }
-    leave_out(&mut log, |row| row.time() >= 0.0, "are before t = 0")?;
+    let mut declared = declared(&log.reading, request, &mut log.notes);
+    leave_early_out(&mut log)?;
     let mut scene = scene.clone();
     if let Some(row) = request.from_log {
         start_at(&mut scene, &mut log, row, declared)?;
     }
+    log.counted();
     let track = track(&scene, &log);
-    if request.as_found {
-        let (_, frames) = compared(&log, &scene, track.as_ref(), declared, &mut Vec::new());
-        if let FrameCheck::Follows(fit) = frames {
-            declared = fit.convention;
-        }
+    let measured = |log: &Log, declared, notes: &mut Vec<String>| {
+        let mut meter = Meter::new(Reader { system: &scene.system, declared }, track.as_ref());
+        meter.take(&log.rows);
+        let findings = meter.findings(log, notes);
+        let frames = frames(log, &findings, track.as_ref(), declared);
+        (findings, frames)
+    };
+    if request.as_found
+        && let FrameCheck::Follows(fit) = measured(&log, declared, &mut Vec::new()).1
+    {
+        declared = fit.convention;
     }
-    let examined = times::examine(&log.rows);
+    let mut odd = Odd::new(times::spacing(log.pairs()));
+    odd.take(&log.rows);
     let mut notes = std::mem::take(&mut log.notes);
-    notes.extend(examined.notes);
-    let (findings, frames) = compared(&log, &scene, track.as_ref(), declared, &mut notes);
-    let reader = Reader { log: &log, system: &scene.system, declared };
-    let explanations = explanations(&reader, &scene);
+    notes.extend(odd.notes());
+    let (findings, frames) = measured(&log, declared, &mut notes);
+    let reader = Reader { system: &scene.system, declared };
     let series = match &track {
-        Ok(track) if request.series => series::series(&reader, track),
+        Ok(track) if request.series => series::series(&log, &reader, track),
         _ => Series::default(),
     };
-    Ok(Judgement {
+    let judgement = concluded(&log, &reader, (&track, scene.duration), (findings, frames));
+    Ok(Judgement { series, notes, ..judgement })
+}
+
+/// The convention by which a log is to be read.
+fn declared(reading: &Reading, request: &Request, notes: &mut Vec<String>) -> Convention {
+    let spin_in_body_axes = request.spin_in_body_axes.unwrap_or(reading.spin_in_body_axes);
+    if request.spin_in_body_axes.is_none() && spin_in_body_axes {
+        notes.push("angular velocities are in body axes, as the names of the columns say".to_owned());
+    }
+    Convention { spin_in_body_axes, world_to_body: request.world_to_body.unwrap_or(false) }
+}
+
+/// All that is to be said, but for errors of single rows and notes.
+fn concluded(
+    log: &Log,
+    reader: &Reader,
+    (track, duration): (&Result<Track, String>, f64),
+    (findings, frames): (Vec<Finding>, FrameCheck),
+) -> Judgement {
+    Judgement {
         reading: log.reading.words.clone(),
-        rows: log.rows.len(),
-        span: (log.rows[0].time(), log.rows[log.rows.len() - 1].time()),
-        spacing: examined.spacing,
-        reference: track.map(|track| track.told),
+        rows: log.count,
+        span: log.span,
+        spacing: times::spacing(log.pairs()),
+        reference: track.as_ref().map(|track| track.told.clone()).map_err(String::clone),
         findings,
-        declared,
+        declared: reader.declared,
         frames,
-        series,
-        explanations,
-        notes,
-    })
+        series: Series::default(),
+        explanations: explanations(log, reader, duration),
+        notes: Vec::new(),
+    }
 }
 
 /// What explains the log, where anything needs to be explained.
-fn explanations(reader: &Reader, scene: &Scene) -> Vec<Explanation> {
-    let last = reader.log.rows.iter().map(row::Row::time).fold(0.0, f64::max);
+fn explanations(log: &Log, reader: &Reader, duration: f64) -> Vec<Explanation> {
+    let last = log.span.1;
     // A log that starts late, or in another unit of time, is looked for within twice its length or the scene's.
-    let last = if last > LONGEST * scene.duration { scene.duration } else { last.max(scene.duration) };
-    let last = 2.0 * last;
-    match Track::dense(&scene.system, last) {
-        Ok(track) => explain::explain(*reader, &track),
+    let last = if last > LONGEST * duration { duration } else { last.max(duration) };
+    match Track::dense(reader.system, 2.0 * last) {
+        Ok(track) => explain::explain(log, *reader, &track),
         Err(_) => Vec::new(),
     }
 }
 
-fn leave_out(log: &mut Log, keep: impl Fn(&row::Row) -> bool, why: &str) -> Result<(), String> {
+fn leave_early_out(log: &mut Log) -> Result<(), String> {
     let all = log.rows.len();
-    log.rows.retain(keep);
+    log.rows.retain(|row| row.time() >= 0.0);
     match all - log.rows.len() {
-        0 => Ok(()),
-        count if count == all => Err(format!("all rows {why}: times count from the start of the motion")),
-        count => {
-            log.notes.push(format!("{count} rows {why} and were left out"));
-            Ok(())
+        count if count == all => {
+            return Err("all rows are before t = 0: times count from the start of the motion".to_owned());
         }
+        count => log.notes.extend(early(count)),
     }
+    Ok(())
+}
+
+fn early(count: usize) -> Option<String> {
+    (count > 0).then(|| format!("{count} rows are before t = 0 and were left out"))
 }
 
 fn track(scene: &Scene, log: &Log) -> Result<Track, String> {
+    too_late(scene, log.span.1)?;
     let times: Vec<f64> = log.rows.iter().map(row::Row::time).collect();
-    let last = times.iter().copied().fold(0.0, f64::max);
-    if last > LONGEST * scene.duration {
-        return Err(format!(
-            "the log ends at t = {last} s, after more than {LONGEST} durations of the scene ({} s)",
-            scene.duration
-        ));
-    }
     Track::of(&scene.system, &times).map_err(|error| error.to_string())
 }
 
-/// The findings and the frame check under a convention.
-fn compared(
+/// A log that ends so late that it is not compared.
+fn too_late(scene: &Scene, last: f64) -> Result<(), String> {
+    if last <= LONGEST * scene.duration {
+        return Ok(());
+    }
+    Err(format!(
+        "the log ends at t = {last} s, after more than {LONGEST} durations of the scene ({} s)",
+        scene.duration
+    ))
+}
+
+/// The frame check of a log that was read by a convention.
+fn frames(
     log: &Log,
-    scene: &Scene,
+    findings: &[Finding],
     track: Result<&Track, &String>,
     declared: Convention,
-    notes: &mut Vec<String>,
-) -> (Vec<Finding>, FrameCheck) {
-    let reader = Reader { log, system: &scene.system, declared };
-    let findings = measure::measure(&reader, track, notes);
+) -> FrameCheck {
     let agree = findings.iter().any(|finding| {
         let small = |value: &Value| value.max <= ORIENTATIONS_AGREE;
         finding.name == "orientation" && finding.value.as_ref().is_ok_and(small)
     });
-    let both = log.parts.covers(Parts::of(&[Part::Orientation, Part::Spin]));
     let fastest = track.map_or(0.0, |track| measure::fastest(&track.samples()));
-    let frames = frames::check(&log.rows, both, agree.then_some(declared), fastest);
-    (findings, frames)
+    frames::check(log, agree.then_some(declared), fastest)
 }
 
 /// Largest orientation error [rad] at which the sense of a quaternion is known: the conjugate is farther off once a body has turned by
@@ -250,7 +285,7 @@ fn start_at(scene: &mut Scene, log: &mut Log, row: usize, declared: Convention) 
         ));
     }
     let own = Track::of(&scene.system, &[0.0]).map_err(|error| error.to_string())?.at(0, 0.0);
-    let reader = Reader { log, system: &scene.system, declared };
+    let reader = Reader { system: &scene.system, declared };
     if let Some(part) = log.parts.each().find(|part| !first.parts.has(*part)) {
         return Err(format!("--from-log {row}: the row has no {}", part.word()));
     }
@@ -260,4 +295,62 @@ fn start_at(scene: &mut Scene, log: &mut Log, row: usize, declared: Convention) 
     log.rows.iter_mut().for_each(|row| row.values[0] -= first.time());
     log.notes.push(format!("the reference starts at row {row} of the log, at t = {} s", first.time()));
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A log in memory and in constant memory: the same numbers, of more rows than a block and more bytes than a piece has.
+    #[test]
+    fn a_long_log_is_judged_as_a_short_one() {
+        let scene = Scene::find("dzhanibekov").expect("a scene");
+        let mut text = "t,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz\n".to_owned();
+        let times: Vec<f64> = (0..40_000).map(|n| f64::from(n) * 1e-4).collect();
+        let track = Track::dense(&scene.system, 4.0).expect("a track");
+        for (n, t) in times.iter().enumerate() {
+            let s = track.truth(*t);
+            let (q, w) = (s.orientation, s.angular_velocity);
+            let late = if n == 12_345 { 7e-4 } else { 0.0 };
+            let x = if n % 5000 == 17 { f64::NAN } else { s.position.x + 1e-3 * t };
+            let (y, z, v) = (s.position.y, s.position.z, s.velocity);
+            text += &format!(
+                "{},{x},{y},{z},{},{},{},{},{},{},{},{},{},{}\n",
+                t + late,
+                q.w,
+                q.i,
+                q.j,
+                q.k,
+                v.x,
+                v.y,
+                v.z,
+                w.x,
+                w.y,
+                w.z
+            );
+        }
+        let judged = |text: &str, long| {
+            let source = Source::Bytes(text.as_bytes().into());
+            let request = Request::default();
+            let table = Table::of(source, "log".to_owned(), &request.said).expect("a table");
+            judge_table(&table, &scene, &request, long).expect("a judgement")
+        };
+        // One time is out of order: the rows are put in order in both ways.
+        let (kept, streamed) = (judged(&text, u64::MAX), judged(&text, 0));
+        let printed = |judgement: &Judgement| format!("{:?}", judgement.findings);
+        assert_eq!(printed(&kept), printed(&streamed));
+        assert!(kept.notes.iter().any(|note| note.contains("times go back")));
+        let text = text.replace(&format!("\n{},", times[12_345] + 7e-4), "\n1.23455,");
+        let (kept, streamed) = (judged(&text, u64::MAX), judged(&text, 0));
+        assert!(!kept.notes.iter().any(|note| note.contains("times go back")), "{:?}", kept.notes);
+        assert_eq!((kept.rows, kept.span), (streamed.rows, streamed.span));
+        assert_eq!(kept.notes, streamed.notes);
+        assert!((kept.spacing / streamed.spacing - 1.0).abs() < 1e-9);
+        for (a, b) in kept.findings.iter().zip(&streamed.findings) {
+            let (Ok(x), Ok(y)) = (&a.value, &b.value) else { panic!("{a:?} {b:?}") };
+            assert_eq!((x.rows, x.end.is_some()), (y.rows, y.end.is_some()), "{}", a.name);
+            assert!((x.max - y.max).abs() <= 1e-12, "{}: {} {}", a.name, x.max, y.max);
+        }
+        assert_eq!(kept.explanations.len(), streamed.explanations.len());
+    }
 }

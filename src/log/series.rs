@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::measure::{Reader, parts_of};
-use super::row::Parts;
+use super::row::{Log, Parts};
 use super::track::Track;
 use crate::model::{PerQuantity, Quantity, Snapshot, System, difference, larger};
 
@@ -33,9 +33,9 @@ pub struct Deviation {
     pub times: usize,
 }
 
-pub(super) fn series(reader: &Reader, track: &Track) -> Series {
+pub(super) fn series(log: &Log, reader: &Reader, track: &Track) -> Series {
     let mut series = Series::default();
-    for (index, row) in reader.log.rows.iter().enumerate() {
+    for (index, row) in log.rows.iter().enumerate() {
         let truth = track.at(index, row.time());
         let state = reader.snapshot(row, Some(&truth));
         let apart = difference(&reader.system.body, &state, &truth);

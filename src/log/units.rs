@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use super::columns::Kind;
 use super::euler::Sequence;
-use super::layout::{ANGLES, ROLL, SIGMA};
-use super::row::{Log, Part};
+use super::layout::{ANGLES, ROLL, Reading, SIGMA};
+use super::row::{Part, Row};
 use super::said::Said;
 use crate::words::words;
 
@@ -62,87 +62,139 @@ impl AngleUnit {
     }
 }
 
-/// Takes a log to SI units, and its orientations to quaternions.
-pub(super) fn apply(log: &mut Log, said: &Said) {
-    times(log, said);
-    let said_angle = said.angle_unit.map(AngleUnit::radians);
-    let scales = [
-        (Part::Position, log.reading.unit(1)),
-        (Part::Velocity, log.reading.unit(8)),
-        (Part::Spin, log.reading.unit(11).or(said_angle)),
-    ];
-    for (part, unit) in scales {
-        if let Some(unit) = unit.filter(|unit| *unit != 1.0) {
-            let scaled =
-                |row: &mut super::row::Row| row.values[part.columns()].iter_mut().for_each(|x| *x *= unit);
-            log.rows.iter_mut().for_each(scaled);
+/// How numbers of a file become SI units, and orientations quaternions.
+pub(super) struct Units {
+    /// A time of the file at which the log begins, and its unit [s].
+    start: f64,
+    time: f64,
+    /// Of positions, velocities and angular velocities, where it is not one.
+    scales: Vec<(Part, f64)>,
+    orientation: Orientation,
+}
+
+/// What orientations are written as.
+enum Orientation {
+    Quaternion,
+    /// Euler angles, about axes that are named or in the order of the sequence; whether the unit is a guess by their size.
+    Angles {
+        sequence: Sequence,
+        unit: f64,
+        by_axis: bool,
+        seen: bool,
+    },
+    Rodrigues,
+}
+
+impl Units {
+    /// By what is said, by the header, and by what rows show.
+    pub fn of(rows: &[Row], reading: &Reading, said: &Said) -> Units {
+        let said_angle = said.angle_unit.map(AngleUnit::radians);
+        let scales = [
+            (Part::Position, reading.unit(1)),
+            (Part::Velocity, reading.unit(8)),
+            (Part::Spin, reading.unit(11).or(said_angle)),
+        ];
+        let scale = |(part, unit): (Part, Option<f64>)| Some((part, unit.filter(|unit| *unit != 1.0)?));
+        let orientation = match reading.sequence {
+            Some(sequence) => angles(rows, reading, sequence, said_angle),
+            None if !reading.has_all(4, 4) && reading.has_all(SIGMA, 3) => Orientation::Rodrigues,
+            None => Orientation::Quaternion,
+        };
+        let (start, time) = times(rows, reading, said);
+        Units { start, time, scales: scales.into_iter().filter_map(scale).collect(), orientation }
+    }
+
+    /// Whether what some rows showed is so in others.
+    pub fn holds(&self, rows: &[Row]) -> bool {
+        let guessed = matches!(self.orientation, Orientation::Angles { unit: 1.0, seen: true, .. });
+        !guessed || !rows.iter().any(more_than_a_turn)
+    }
+
+    /// Takes rows to SI units.
+    pub fn apply(&self, rows: &mut [Row]) {
+        for row in rows {
+            if self.time != 1.0 || self.start > 0.0 {
+                row.values[0] = (row.values[0] - self.start) * self.time;
+            }
+            for (part, unit) in &self.scales {
+                row.values[part.columns()].iter_mut().for_each(|x| *x *= unit);
+            }
+            if let Some(q) = self.orientation.quaternion([4, 5, 6].map(|k| row.values[k])) {
+                row.values[4..8].copy_from_slice(&q);
+            }
         }
     }
-    match log.reading.sequence {
-        Some(sequence) => of_angles(log, sequence, said_angle),
-        None if !log.reading.has_all(4, 4) && log.reading.has_all(SIGMA, 3) => of_rodrigues(log),
-        None => {}
+
+    /// What is to be said.
+    pub fn notes(&self) -> Vec<String> {
+        let (start, unit) = (self.start, self.time);
+        let begins = (start > 0.0).then(|| {
+            format!("times start at {start} ({} s after 1970): the first row is t = 0", start * unit)
+        });
+        let in_units = (unit != 1.0).then(|| format!("times are in units of {unit:e} s"));
+        let made = match self.orientation {
+            Orientation::Quaternion => None,
+            Orientation::Rodrigues => {
+                Some("orientations are made of modified Rodrigues parameters".to_owned())
+            }
+            Orientation::Angles { sequence, unit, .. } => {
+                let unit = if unit == 1.0 { "radians" } else { "degrees" };
+                Some(format!(
+                    "orientations are made of Euler angles {sequence} in {unit}; --euler says another sequence"
+                ))
+            }
+        };
+        [begins, in_units, made].into_iter().flatten().collect()
     }
 }
 
-/// Makes quaternions of Euler angles.
-fn of_angles(log: &mut Log, sequence: Sequence, said: Option<f64>) {
-    let by_axis = log.reading.has_all(ROLL, 3) && !log.reading.has_all(ANGLES, 3);
-    let header = log.reading.unit(if by_axis { ROLL } else { ANGLES });
-    let unit = header.or(said).unwrap_or_else(|| seen_unit(log));
-    for row in &mut log.rows {
-        let angles = [4, 5, 6].map(|k| row.values[k] * unit);
-        let mut ordered = angles;
-        if by_axis && sequence.of_three_axes() {
-            (0..3).for_each(|axis| ordered[sequence.place_of(axis)] = angles[axis]);
+impl Orientation {
+    /// A quaternion of three numbers; `None` where the file has one.
+    fn quaternion(&self, given: [f64; 3]) -> Option<[f64; 4]> {
+        match *self {
+            Orientation::Quaternion => None,
+            Orientation::Angles { sequence, unit, by_axis, .. } => {
+                let angles = given.map(|angle| angle * unit);
+                let mut ordered = angles;
+                if by_axis && sequence.of_three_axes() {
+                    (0..3).for_each(|axis| ordered[sequence.place_of(axis)] = angles[axis]);
+                }
+                let q = sequence.rotation(ordered);
+                Some([q.w, q.i, q.j, q.k])
+            }
+            // (1 − σ², 2σ) over 1 + σ².
+            Orientation::Rodrigues => {
+                let squared: f64 = given.iter().map(|x| x * x).sum();
+                let [a, b, c] = given.map(|x| 2.0 * x / (1.0 + squared));
+                Some([(1.0 - squared) / (1.0 + squared), a, b, c])
+            }
         }
-        let q = sequence.rotation(ordered);
-        row.values[4..8].copy_from_slice(&[q.w, q.i, q.j, q.k]);
     }
-    let unit = if unit == 1.0 { "radians" } else { "degrees" };
-    let note =
-        format!("orientations are made of Euler angles {sequence} in {unit}; --euler says another sequence");
-    log.notes.push(note);
 }
 
-/// Makes quaternions of modified Rodrigues parameters: (1 − σ², 2σ) over 1 + σ².
-fn of_rodrigues(log: &mut Log) {
-    for row in &mut log.rows {
-        let sigma = [4, 5, 6].map(|k| row.values[k]);
-        let squared: f64 = sigma.iter().map(|x| x * x).sum();
-        let [a, b, c] = sigma.map(|x| 2.0 * x / (1.0 + squared));
-        row.values[4..8].copy_from_slice(&[(1.0 - squared) / (1.0 + squared), a, b, c]);
-    }
-    log.notes.push("orientations are made of modified Rodrigues parameters".to_owned());
+/// Euler angles in the unit of the header, else the one that is said, else degrees where an angle is more than a turn in radians.
+fn angles(rows: &[Row], reading: &Reading, sequence: Sequence, said: Option<f64>) -> Orientation {
+    let by_axis = reading.has_all(ROLL, 3) && !reading.has_all(ANGLES, 3);
+    let stated = reading.unit(if by_axis { ROLL } else { ANGLES }).or(said);
+    let guess = if rows.iter().any(more_than_a_turn) { PI / 180.0 } else { 1.0 };
+    Orientation::Angles { sequence, unit: stated.unwrap_or(guess), by_axis, seen: stated.is_none() }
 }
 
-/// Degrees where an angle is more than a turn in radians.
-fn seen_unit(log: &Log) -> f64 {
-    let large = |x: &f64| x.is_finite() && x.abs() > LARGEST_ANGLE;
-    if log.rows.iter().any(|row| row.values[4..7].iter().any(large)) { PI / 180.0 } else { 1.0 }
+fn more_than_a_turn(row: &Row) -> bool {
+    row.values[4..7].iter().any(|x| x.is_finite() && x.abs() > LARGEST_ANGLE)
 }
 
-/// Times in seconds; those that count from 1970 count from the first row.
-fn times(log: &mut Log, said: &Said) {
-    let first = log.rows.iter().map(|row| row.time()).filter(|t| t.is_finite()).fold(f64::INFINITY, f64::min);
+/// The time at which a log begins and its unit [s]; times that count from 1970 count from the first row.
+fn times(rows: &[Row], reading: &Reading, said: &Said) -> (f64, f64) {
+    let first = rows.iter().map(Row::time).filter(|t| t.is_finite()).fold(f64::INFINITY, f64::min);
     if !first.is_finite() {
-        return;
+        return (0.0, 1.0);
     }
-    let stated = said.time_unit.map(TimeUnit::seconds).or(log.reading.unit(0));
+    let stated = said.time_unit.map(TimeUnit::seconds).or(reading.unit(0));
     // A count of seconds since 1970 has ten digits, of milliseconds thirteen, of microseconds sixteen, of nanoseconds nineteen.
     let seen = [1.0, 1e-3, 1e-6, 1e-9].into_iter().find(|unit| (UNIX..UNIX * 1e3).contains(&(first * unit)));
     let unit = stated.or(seen).unwrap_or(1.0);
-    let start = if first * unit >= UNIX { first } else { 0.0 };
-    if start > 0.0 {
-        log.notes
-            .push(format!("times start at {first} ({} s after 1970): the first row is t = 0", first * unit));
-    }
-    if unit != 1.0 {
-        log.notes.push(format!("times are in units of {unit:e} s"));
-    }
-    if unit != 1.0 || start > 0.0 {
-        log.rows.iter_mut().for_each(|row| row.values[0] = (row.values[0] - start) * unit);
-    }
+    (if first * unit >= UNIX { first } else { 0.0 }, unit)
 }
 
 /// Moves words that are units out of a name of several words.

@@ -3,23 +3,23 @@
 //! Everything here is in body axes and relative to the **origin**: the centre of mass of a body that moves
 //! freely, the pivot of a body that is fixed there. With P = Σ M x xᵀ the inertia is I = tr(P) E − P.
 //!
-//! A body given by its inertia is stood for by the fewest mass points that have it: one more than the rank of
-//! P, so four for a solid, three for a plate, two for a rod, one for a point.
+//! A body given by its inertia is stood for by mass points that have it and no third moments: two on each principal axis along which
+//! P is not zero, so six for a solid, four for a plate, two for a rod, and one for a point.
 
 mod error;
-mod fewest;
 mod moments;
 mod precise;
+mod stand_in;
 
 use nalgebra::{Matrix3, Vector3};
 
 use crate::arithmetic::Real;
 use crate::rotation::{self, Rotation};
 pub use error::BodyError;
-use fewest::fewest_points;
 pub(crate) use moments::principal_axes;
 use moments::{check_moments, shape_of_moments, shape_of_points, symmetric, thin_axis_outside};
 pub(crate) use precise::rotation_of;
+use stand_in::stand_in_points;
 
 /// Above this ratio of moments, I Ω = L no longer determines the spin about the smallest one in f64.
 pub(crate) const LARGEST_CONDITION: f64 = 1e12;
@@ -136,7 +136,7 @@ impl Body {
         let (moments, axes) = principal_axes(&inertia);
         check_moments(&moments, unphysical)?;
         let origin = pivot.unwrap_or_else(Vector3::zeros);
-        let points = fewest_points(mass, &moments, &axes, &origin);
+        let points = stand_in_points(mass, &moments, &axes, &origin);
         let about_origin = inertia + second_moment_inertia(&origin) * mass;
         let shape = shape_of_moments(&about_origin)?;
         Body::assemble(mass, about_origin, -origin, shape, pivot.is_some(), points)
@@ -222,12 +222,12 @@ mod tests {
     }
 
     #[test]
-    fn the_fewest_points_have_the_mass_center_and_inertia() {
+    fn stand_in_points_have_the_mass_center_and_inertia_and_no_third_moments() {
         let turned = rotation::turn(&Vector3::new(0.3, -0.8, 1.7)).to_rotation_matrix().into_inner();
         for (moments, count) in [
-            ([1.0, 2.0, 2.5], 4),
-            ([1.0, 1.0, 1.0], 4),
-            ([1.0, 2.0, 3.0], 3),
+            ([1.0, 2.0, 2.5], 6),
+            ([1.0, 1.0, 1.0], 6),
+            ([1.0, 2.0, 3.0], 4),
             ([0.0, 2.0, 2.0], 2),
             ([0.0, 0.0, 0.0], 1),
         ] {
@@ -238,6 +238,10 @@ mod tests {
             let center: Vector3<f64> = body.points.iter().map(|p| p.position * p.mass).sum();
             assert!(center.amax() < 1e-15);
             assert!((body.points.iter().map(|p| p.mass).sum::<f64>() - 1.75).abs() < 1e-15);
+            let third = |along: Vector3<f64>| {
+                body.points.iter().map(|p| p.mass * p.position.dot(&along).powi(3)).sum::<f64>()
+            };
+            assert!(third(Vector3::new(1.0, -0.5, 0.25)).abs() < 1e-15, "{moments:?}");
         }
     }
 

@@ -85,7 +85,7 @@ pub fn by_inertia<T: Real>(system: &System<T>) -> Option<System<T>> {
         }
         other => other,
     });
-    Some(system.with_body(body.made_of_fewest(), laws))
+    Some(system.with_body(body.made_of_stand_in(), laws))
 }
 
 /// The same body in other body axes, turned by Q = `turn`: x' = Q x, I' = Q I Qᵀ, R' = R Qᵀ. Everything in world axes

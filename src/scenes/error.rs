@@ -39,7 +39,8 @@ pub enum SceneError {
     },
 }
 
-fn lines(file: &str, faults: &[Fault]) -> String {
+/// A fault a line.
+pub(crate) fn lines(file: &str, faults: &[Fault]) -> String {
     faults.iter().map(|fault| format!("{file}:{}: {fault}", fault.line)).collect::<Vec<_>>().join("\n")
 }
 

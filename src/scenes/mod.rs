@@ -27,6 +27,8 @@ use toml::de::DeTable;
 #[cfg(feature = "cli")]
 pub(crate) use begun::begun;
 pub use error::SceneError;
+#[cfg(feature = "cli")]
+pub(crate) use error::lines;
 pub use fault::{Fault, Mend};
 pub use laws::block;
 pub use list::FILES;

@@ -1,10 +1,10 @@
 //! Defects outside the scheme: in the force laws, at the start of a run, and in what a run shows. A right scheme runs; everything
 //! around it is bent.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use crate::claim::Claim;
-use crate::model::forces::{Forces, Law, TorqueAxes};
+use crate::model::forces::{Forces, Law, OrbitingDipole, TorqueAxes, TorquePulse};
 use crate::model::{PerQuantity, Snapshot, System};
 use crate::reference::Reference;
 use crate::rotation;
@@ -40,6 +40,11 @@ pub(super) type Row = (&'static str, Plant, &'static [&'static str]);
 const SPRINGS: &[&str] = &["tether-springs", "lagrange-top-pivot-spring"];
 const FIELDS: &[&str] = &["charged-body-in-fields", "time-dependent-field"];
 const FALL: &[&str] = &["gravity-drag", "kovalevskaya"];
+const WHEELS: &[&str] = &["gyrostat", "gyrostat-axial"];
+const DAMPED: &[&str] = &["damped-tumble"];
+const MAGNET: &[&str] = &["magnetic-satellite"];
+const PULSES: &[&str] = &["thruster-pulse", "thruster-pulse-between-steps"];
+const ORBITS: &[&str] = &["satellite-circular-orbit"];
 pub(super) const FREE: &[&str] = &["free-asymmetric", "tether-springs"];
 
 /// Laws that are not those of the scene.
@@ -89,6 +94,32 @@ pub(super) const LAWS: &[Row] = &[
         Plant::Law(torque_in_world),
         &["spinning-coin", "sciml-rigidbody-wpd"],
     ),
+    ("wheels dropped", Plant::Law(|law| wheels(law, 0.0)), WHEELS),
+    ("wheels turning backwards", Plant::Law(|law| wheels(law, -1.0)), WHEELS),
+    ("wheels slower by a thousandth", Plant::Law(|law| wheels(law, 0.999)), WHEELS),
+    ("rotational damping that drives", Plant::Law(|law| damping(law, |c| *c = -*c)), DAMPED),
+    (
+        "rotational damping without products",
+        Plant::Law(|law| damping(law, |c| *c = Matrix3::from_diagonal(&c.diagonal()))),
+        DAMPED,
+    ),
+    ("rotational damping dropped", Plant::Law(|law| damping(law, |c| *c = Matrix3::zeros())), DAMPED),
+    ("field of the orbit frozen at its start", Plant::Law(|law| orbit(law, |o| o.frequency = 0.0)), MAGNET),
+    ("field of the orbit turning backwards", Plant::Law(|law| orbit(law, |o| o.frequency *= -1.0)), MAGNET),
+    (
+        "field of the orbit turning once an orbit",
+        Plant::Law(|law| orbit(law, |o| o.frequency /= 2.0)),
+        MAGNET,
+    ),
+    ("pulse shorter by a hundredth of a second", Plant::Law(|law| pulse(law, |p| p.end -= 0.01)), PULSES),
+    ("pulse that does not end", Plant::Law(|law| pulse(law, |p| p.end = f64::INFINITY)), PULSES),
+    (
+        "pulse of world axes taken in body axes",
+        Plant::Law(|law| pulse(law, |p| p.axes = TorqueAxes::Body)),
+        PULSES,
+    ),
+    ("pull on the centre of mass a hundredth stronger", Plant::Law(|law| pull(law, 1.01)), ORBITS),
+    ("pull on the centre of mass that pushes", Plant::Law(|law| pull(law, -1.0)), ORBITS),
 ];
 
 /// Starts that are not those of the scene.
@@ -223,6 +254,36 @@ fn dipole_over(law: &mut Law) {
 fn torque_in_world(law: &mut Law) {
     if let Law::Torque(torque) = law {
         torque.axes = TorqueAxes::World;
+    }
+}
+
+fn wheels(law: &mut Law, factor: f64) {
+    if let Law::Wheels(wheels) = law {
+        wheels.momentum *= factor;
+    }
+}
+
+fn damping(law: &mut Law, change: fn(&mut Matrix3<f64>)) {
+    if let Law::RotationalDamping(damping) = law {
+        change(&mut damping.coefficients);
+    }
+}
+
+fn orbit(law: &mut Law, change: fn(&mut OrbitingDipole)) {
+    if let Law::OrbitingDipole(dipole) = law {
+        change(dipole);
+    }
+}
+
+fn pulse(law: &mut Law, change: fn(&mut TorquePulse)) {
+    if let Law::TorquePulse(pulse) = law {
+        change(pulse);
+    }
+}
+
+fn pull(law: &mut Law, factor: f64) {
+    if let Law::MassCenterGravity(gravity) = law {
+        gravity.mu *= factor;
     }
 }
 

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Output;
 
+use polhode::internals::inspect::InspectError;
 use serde_json::Value;
 
 use crate::common::program::{code, polhode, scratch, stderr, stdout};
@@ -209,7 +210,7 @@ fn controls_are_read_in_every_form_and_nothing_is_held_against_them() {
     assert_eq!((tally.files, tally.bodies, tally.impossible), (6, 24, 1));
     let refused = inspect(&robots().join("controls/rejected-by-mujoco.mjcf.xml"), &[]);
     assert_eq!(code(&refused), 65);
-    assert!(stderr(&refused).contains(".xml:4: <inertial>"), "{}", stderr(&refused));
+    assert!(stderr(&refused).contains(".xml:4:"), "{}", stderr(&refused));
 }
 
 #[test]
@@ -315,8 +316,8 @@ fn files_that_are_no_robots_are_refused_with_their_line() {
         (bomb, "document type"),
         (&deep, "not XML"),
         (&closed, "nested deeper"),
-        (xacro, ":4: <mass>: '${m}' is an expression of xacro"),
-        ("<robot>\n<link/></robot>", ":2: <link>: has no name"),
+        (xacro, "<mass>: '${m}' is an expression of xacro"),
+        ("<robot>\n<link/></robot>", "<link>: has no name"),
         ("<mujoco><include/></mujoco>", "has no file"),
     ] {
         let output = inspected("robot.urdf", text);
@@ -326,6 +327,72 @@ fn files_that_are_no_robots_are_refused_with_their_line() {
     assert_eq!(code(&inspected("robot.urdf", "<robot/>")), 2);
     assert_eq!(code(&polhode(&["inspect", "no-such-file.urdf"])), 74);
     assert_eq!(code(&polhode(&["inspect"])), 64);
+}
+
+/// Eight faults in every format: each with its line, in the order of the file.
+#[test]
+fn all_faults_of_a_file_are_said_at_once() {
+    let urdf = "<robot name=\"r\">\n<link>\n<inertial>\n<mass value=\"heavy\"/>\n<inertia ixx=\"1\" ixy=\"0\" ixz=\"zero\" iyy=\"1\" izz=\"1\"/>\n\
+                <origin xyz=\"0 0\"/>\n</inertial>\n</link>\n<link name=\"b\">\n<inertial/>\n<collision><geometry>\n<box/>\n</geometry></collision>\n\
+                <visual><geometry>\n<sphere radius=\"wide\"/>\n</geometry></visual></link></robot>";
+    let sdf = "<sdf version=\"1.6\"><model name=\"m\">\n<link>\n<inertial>\n<mass>heavy</mass>\n<pose>0 0 0</pose>\n<inertia>\n<ixx>a</ixx>\n\
+               <iyy>b</iyy></inertia></inertial></link>\n<link name=\"b\"><collision name=\"c\"><geometry>\n<cylinder/>\n</geometry></collision></link>\n\
+               </model><world><physics>\n<max_step_size>fast</max_step_size></physics></world></sdf>";
+    let mjcf = "<mujoco>\n<compiler boundmass=\"a\"/>\n<compiler eulerseq=\"abc\"/>\n<option integrator=\"leapfrog\"/>\n<worldbody>\n<body>\n\
+                <inertial diaginertia=\"1 2\" pos=\"0 0\"/>\n<geom type=\"star\" size=\"1\"/>\n<geom type=\"box\" size=\"1\"/>\n<composite/>\n</body></worldbody></mujoco>";
+    let cases: [(&str, &str, &[usize]); 3] = [
+        ("a.urdf", urdf, &[2, 4, 5, 5, 6, 10, 10, 12, 15]),
+        ("a.sdf", sdf, &[2, 4, 5, 7, 8, 10, 13]),
+        ("a.xml", mjcf, &[2, 3, 4, 7, 7, 7, 8, 9, 10]),
+    ];
+    for (name, text, lines) in cases {
+        let folder = scratch();
+        let path = folder.path().join(name);
+        fs::write(&path, text).expect("written");
+        let Err(InspectError::Content { faults, .. }) = polhode::internals::inspect::inspect(&path) else {
+            panic!("{name} was read");
+        };
+        let found: Vec<usize> = faults.iter().map(|fault| fault.line).collect();
+        assert_eq!(found, lines, "{name}: {faults:#?}");
+        let output = inspect(&path, &[]);
+        assert_eq!(code(&output), 65);
+        for line in lines {
+            assert!(stderr(&output).contains(&format!("{name}:{line}:")), "{line}: {}", stderr(&output));
+        }
+    }
+}
+
+#[test]
+fn a_fault_in_an_included_file_is_said_with_both_places() {
+    let folder = scratch();
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).expect("written");
+    write("main.xml", "<mujoco>\n<include file=\"more.xml\"/>\n</mujoco>");
+    write(
+        "more.xml",
+        "<mujoco><worldbody>\n\n<body><geom type=\"box\" size=\"1\"/></body></worldbody></mujoco>",
+    );
+    let output = inspect(&folder.path().join("main.xml"), &[]);
+    let said = stderr(&output);
+    assert!(
+        code(&output) == 65 && said.contains("main.xml:2:") && said.contains("line 3 of more.xml"),
+        "{said}"
+    );
+}
+
+/// Fields of a megabyte and ten thousand faults: a short message.
+#[test]
+fn long_fields_and_many_faults_make_short_messages() {
+    let long = "9".repeat(1 << 20);
+    let link =
+        |mass: &str| format!("<link name=\"a\"><inertial><mass value=\"{mass}\"/></inertial></link>\n");
+    let many = link("x").repeat(10_000);
+    for robot in [link(&long), link(&format!("{long}x")), link(&"1 ".repeat(1 << 19)), many] {
+        let output = inspected("robot.urdf", &format!("<robot>\n{robot}</robot>"));
+        assert_eq!(code(&output), 65);
+        assert!(stderr(&output).len() < 20_000, "{}", stderr(&output).len());
+    }
+    let named = format!("<robot><link name=\"{long}\"/></robot>");
+    assert_eq!(code(&inspected("robot.urdf", &named)), 2);
 }
 
 #[test]
@@ -354,12 +421,19 @@ fn mutated(text: &[u8], state: &mut u64) -> Vec<u8> {
     let mut bytes = text.to_vec();
     for _ in 0..=draw(4) {
         let (at, to) = (draw(bytes.len()), draw(bytes.len()));
-        match draw(6) {
+        // A value that stays one: most of what is left after it is still XML.
+        let value = bytes.iter().skip(at).position(|byte| *byte == b'"').map(|away| at + away + 1);
+        match draw(10) {
             0 => bytes[at] = b"<>/\"'=&0-e.\0"[draw(12)],
             1 => drop(bytes.drain(at.min(to)..at.max(to))),
             2 => bytes.extend_from_within(at.min(to)..),
             3 => bytes.insert(at, b"<>/\"'=&0-e. "[draw(12)]),
             4 => drop(bytes.splice(at..at, *b"1e999 nan -0 ")),
+            5..9 => {
+                let text: &[u8] = [&b"-"[..], b"1e308", b"nan", b"1e-300 ", b"0 ", b"x"][draw(6)];
+                let value = value.unwrap_or(at).min(bytes.len());
+                drop(bytes.splice(value..value, text.iter().copied()));
+            }
             _ => bytes.swap(at, to),
         }
         if bytes.is_empty() {
@@ -383,7 +457,11 @@ fn two_thousand_mutated_files_end_in_a_verdict_or_an_error() {
         let bytes = mutated(&fs::read(file).expect("a file"), &mut state);
         let path = folder.path().join(file.file_name().expect("a name"));
         fs::write(&path, &bytes).expect("written");
-        if let Ok(inspection) = polhode::internals::inspect::inspect(&path) {
+        let found = polhode::internals::inspect::inspect(&path);
+        if let Err(error) = &found {
+            assert!(error.to_string().lines().all(|line| line.len() < 1000), "{error}");
+        }
+        if let Ok(inspection) = found {
             read += 1;
             assert_eq!(
                 inspection.summaries().len(),

@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use nalgebra::{Matrix3, Vector3};
 
 use super::classes::Classes;
-use crate::inspect::element::{Element, Fault, finite, printed};
+use crate::inspect::element::{Element, Fault, Faults, finite, printed};
 use crate::inspect::pose::Pose;
 use crate::model::body::second_moment_inertia;
 
@@ -35,7 +35,7 @@ pub(super) struct Hull {
 pub(super) type Hulls = BTreeMap<String, Hull>;
 
 /// The hulls of meshes that have vertices in the file, no faces and no frame of their own.
-pub(super) fn all(root: &Element, classes: &Classes) -> Result<Hulls, Fault> {
+pub(super) fn all(root: &Element, classes: &Classes, faults: &mut Faults) -> Hulls {
     let mut hulls = Hulls::new();
     for element in root.all("asset").flat_map(|asset| asset.all("mesh")) {
         let given = classes.of("mesh", element, None);
@@ -44,15 +44,19 @@ pub(super) fn all(root: &Element, classes: &Classes) -> Result<Hulls, Fault> {
         if other || given.get("inertia") == Some(&"shell") || hulls.len() >= MOST_HULLS {
             continue;
         }
-        let scale = given.get("scale").map_or(Ok([1.0; 3]), |text| finite::<3>(element, text))?;
-        let numbers: Vec<f64> = printed(element, text)?.into_iter().map(|number| number.value).collect();
-        let vertex = |three: &[f64]| Vector3::from_column_slice(three).component_mul(&Vector3::from(scale));
-        let vertices: Vec<Vector3<f64>> = numbers.chunks_exact(3).map(vertex).collect();
-        if let Some(hull) = Hull::of(&vertices) {
+        let scale = given.get("scale").map_or(Ok([1.0; 3]), |text| finite::<3>(element, text));
+        let vertices = scale.and_then(|scale| vertices(element, text, scale.into()));
+        if let Some(hull) = faults.keep(vertices).and_then(|vertices| Hull::of(&vertices)) {
             hulls.insert((*name).to_owned(), hull);
         }
     }
-    Ok(hulls)
+    hulls
+}
+
+fn vertices(element: &Element, text: &str, scale: Vector3<f64>) -> Result<Vec<Vector3<f64>>, Fault> {
+    let numbers: Vec<f64> = printed(element, text)?.into_iter().map(|number| number.value).collect();
+    let vertex = |three: &[f64]| Vector3::from_column_slice(three).component_mul(&scale);
+    Ok(numbers.chunks_exact(3).map(vertex).collect())
 }
 
 impl Hull {

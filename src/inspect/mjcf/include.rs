@@ -71,6 +71,7 @@ impl Includes<'_> {
         }
         let mut root = element::parse(&text, name).map_err(|error| Fault::at(include, error))?;
         self.splice(&mut root, depth)?;
+        root.children.iter_mut().for_each(|child| child.included(include, name));
         Ok(root.children)
     }
 }

@@ -13,7 +13,7 @@ use std::path::Path;
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::element::{Element, Fault, finite, number, printed};
+use super::element::{Element, Fault, Faults, finite, number, printed};
 use super::link::{Inertial, Link, Robot, Source, six_of};
 use super::pose::Pose;
 use super::printed::Printed;
@@ -24,18 +24,20 @@ use geom::Geom;
 use hull::Hulls;
 use settings::{FromGeom, Settings};
 
-pub(super) fn read(root: &mut Element, path: &Path) -> Result<Robot, Fault> {
+pub(super) fn read(root: &mut Element, path: &Path) -> Result<Robot, Faults> {
     let notes = include::resolve(root, path)?;
-    let settings = Settings::read(root)?;
+    let mut faults = Faults::default();
+    let settings = Settings::read(root, &mut faults);
     let classes = Classes::read(root);
-    let hulls = hull::all(root, &classes)?;
-    let mut reader = Reader { classes, settings, hulls, links: Vec::new() };
+    let hulls = hull::all(root, &classes, &mut faults);
+    let stepping = faults.keep(settings::stepping(root));
+    let mut reader = Reader { classes, settings, hulls, links: Vec::new(), faults };
     for world in root.all("worldbody") {
-        reader.children(world, None, &mut Holder::default())?;
+        reader.children(world, None, &mut Holder::default());
     }
     let mut links = reader.links;
     settings::compile(&reader.settings, &mut links);
-    Ok(Robot { format: "mjcf", links, stepping: Some(settings::stepping(root)?), notes })
+    reader.faults.or(Some(Robot { format: "mjcf", links, stepping, notes }))
 }
 
 struct Reader {
@@ -43,6 +45,7 @@ struct Reader {
     settings: Settings,
     hulls: Hulls,
     links: Vec<Link>,
+    faults: Faults,
 }
 
 /// What stands in a body, its frames included.
@@ -53,48 +56,49 @@ struct Holder {
 }
 
 impl Reader {
-    fn children(&mut self, element: &Element, class: Option<&str>, holder: &mut Holder) -> Result<(), Fault> {
+    fn children(&mut self, element: &Element, class: Option<&str>, holder: &mut Holder) {
         for child in &element.children {
             let inner = child.attribute("childclass").or(class);
             match child.name.as_str() {
                 "geom" => {
                     let given = self.classes.of("geom", child, class);
-                    holder.geoms.push(geom::read(child, &given, &self.settings, &holder.frame, &self.hulls)?);
+                    let read = geom::read(child, &given, &self.settings, &holder.frame, &self.hulls);
+                    holder.geoms.extend(self.faults.keep(read));
                 }
                 "frame" => {
                     let outer = holder.frame;
                     let attributes = child.attributes().collect();
-                    holder.frame = outer.then(&geom::placed(child, &attributes, &self.settings)?);
-                    self.children(child, inner, holder)?;
+                    let placed = self.faults.keep(geom::placed(child, &attributes, &self.settings));
+                    holder.frame = outer.then(&placed.unwrap_or_default());
+                    self.children(child, inner, holder);
                     holder.frame = outer;
                 }
-                "body" => self.body(child, inner)?,
+                "body" => self.body(child, inner),
                 "replicate" | "attach" | "composite" | "flexcomp" => {
                     let why = "is not read: save the compiled model (mj_saveLastXML) and inspect that";
-                    return Err(Fault::at(child, why));
+                    self.faults.keep(Err::<(), _>(Fault::at(child, why)));
                 }
                 _ => {}
             }
         }
-        Ok(())
     }
 
-    fn body(&mut self, element: &Element, class: Option<&str>) -> Result<(), Fault> {
+    fn body(&mut self, element: &Element, class: Option<&str>) {
         let place = self.links.len();
         let name = element.attribute("name").map_or_else(|| format!("(body {place})"), ToOwned::to_owned);
         self.links.push(Link { name, line: element.line, ..Link::default() });
         let mut holder = Holder::default();
-        self.children(element, class, &mut holder)?;
+        self.children(element, class, &mut holder);
         let mut link = Link { ..self.links[place].clone() };
         link.inertials = element.all("inertial").count();
         if link.inertials > 1 {
-            return Err(Fault::at(element, "has two <inertial>: remove one"));
+            self.faults.keep(Err::<(), _>(Fault::at(element, "has two <inertial>: remove one")));
         }
         let given = element.child("inertial");
         if let Some(given) = given
             && self.settings.from_geom != FromGeom::Always
         {
-            link.inertial = Some(inertial(given, &self.settings)?);
+            link.inertial = self.faults.keep(inertial(given, &self.settings));
             link.source = Source::Explicit;
         } else if self.settings.from_geom != FromGeom::Never {
             self.by_geoms(&holder.geoms, &mut link);
@@ -108,7 +112,6 @@ impl Reader {
             link.solids = holder.geoms.into_iter().filter_map(|geom| geom.solid).collect();
         }
         self.links[place] = link;
-        Ok(())
     }
 
     fn by_geoms(&self, geoms: &[Geom], link: &mut Link) {
@@ -127,7 +130,20 @@ impl Reader {
 }
 
 /// `<inertial>`: fullinertia is M11 M22 M33 M12 M13 M23, in the axes of the body.
-fn inertial(element: &Element, settings: &Settings) -> Result<Inertial, Fault> {
+fn inertial(element: &Element, settings: &Settings) -> Result<Inertial, Faults> {
+    let mut faults = Faults::default();
+    faults.keep(one_form(element));
+    let mass = element.attribute("mass").ok_or_else(|| Fault::at(element, "has no mass: write mass=\"1.0\""));
+    let mass = faults.keep(mass.and_then(|mass| number(element, mass)));
+    let attributes = element.attributes().collect();
+    let pose = faults.keep(geom::placed(element, &attributes, settings));
+    let six = faults.keep(six(element));
+    let all = mass.zip(six).zip(pose);
+    faults.or(all.map(|((mass, six), pose)| Inertial { mass, six, pose }))
+}
+
+/// Of several ways to say one thing MuJoCo takes one alone.
+fn one_form(element: &Element) -> Result<(), Fault> {
     let turns = ["quat", "axisangle", "xyaxes", "zaxis", "euler"];
     let turned: Vec<&str> = turns.into_iter().filter(|name| element.attribute(name).is_some()).collect();
     let full = element.attribute("fullinertia");
@@ -146,11 +162,11 @@ fn inertial(element: &Element, settings: &Settings) -> Result<Inertial, Fault> {
             "diaginertia stands beside fullinertia, of which MuJoCo takes one: remove one",
         ));
     }
-    let mass =
-        element.attribute("mass").ok_or_else(|| Fault::at(element, "has no mass: write mass=\"1.0\""))?;
-    let attributes = element.attributes().collect();
-    let pose = geom::placed(element, &attributes, settings)?;
-    let six = match (full, element.attribute("diaginertia")) {
+    Ok(())
+}
+
+fn six(element: &Element) -> Result<[Printed; 6], Fault> {
+    Ok(match (element.attribute("fullinertia"), element.attribute("diaginertia")) {
         (Some(text), _) => {
             let [xx, yy, zz, xy, xz, yz] = numbers(element, "fullinertia", text)?;
             [xx, xy, xz, yy, yz, zz]
@@ -160,8 +176,7 @@ fn inertial(element: &Element, settings: &Settings) -> Result<Inertial, Fault> {
             [xx, Printed::default(), Printed::default(), yy, Printed::default(), zz]
         }
         (None, None) => six_of(&Matrix3::zeros()).map(Printed::computed),
-    };
-    Ok(Inertial { mass: number(element, mass)?, six, pose })
+    })
 }
 
 fn numbers<const N: usize>(element: &Element, key: &str, text: &str) -> Result<[Printed; N], Fault> {

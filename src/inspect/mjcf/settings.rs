@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use super::moments;
 use crate::inspect::Stepping;
-use crate::inspect::element::{Element, Fault, finite};
+use crate::inspect::element::{Element, Fault, Faults, finite};
 use crate::inspect::link::Link;
 
 /// Step where `<option>` gives none [s].
@@ -33,7 +33,7 @@ pub(super) struct Settings {
 }
 
 impl Settings {
-    pub fn read(root: &Element) -> Result<Settings, Fault> {
+    pub fn read(root: &Element, faults: &mut Faults) -> Settings {
         let mut settings = Settings {
             degrees: true,
             euler_sequence: ['x', 'y', 'z'],
@@ -45,45 +45,42 @@ impl Settings {
             total_mass: None,
         };
         for element in root.all("compiler") {
-            settings.take(element)?;
+            for (key, value) in element.attributes() {
+                faults.keep(settings.take(element, key, value));
+            }
         }
-        Ok(settings)
+        settings
     }
 
-    fn take(&mut self, element: &Element) -> Result<(), Fault> {
-        for (key, value) in element.attributes() {
-            let one = || finite::<1>(element, value).map(|[number]| number);
-            match key {
-                "angle" => self.degrees = value != "radian",
-                "balanceinertia" => self.balance = value == "true",
-                "boundmass" => self.least_mass = one()?,
-                "boundinertia" => self.least_moment = one()?,
-                "settotalmass" => self.total_mass = Some(one()?).filter(|mass| *mass > 0.0),
-                "inertiafromgeom" => {
-                    self.from_geom = match value {
-                        "true" => FromGeom::Always,
-                        "false" => FromGeom::Never,
-                        _ => FromGeom::WhereNoneIsGiven,
-                    };
-                }
-                "inertiagrouprange" => {
-                    let [first, last] = finite::<2>(element, value)?;
-                    self.groups = first as i64..=last as i64;
-                }
-                "eulerseq" => {
-                    let letters: Vec<char> = value.chars().collect();
-                    self.euler_sequence = <[char; 3]>::try_from(letters)
-                        .ok()
-                        .filter(|letters| letters.iter().all(|letter| "xyzXYZ".contains(*letter)))
-                        .ok_or_else(|| {
-                            Fault::at(
-                                element,
-                                format!("eulerseq '{value}': expected three of x, y, z, X, Y, Z"),
-                            )
-                        })?;
-                }
-                _ => {}
+    fn take(&mut self, element: &Element, key: &str, value: &str) -> Result<(), Fault> {
+        let one = || finite::<1>(element, value).map(|[number]| number);
+        match key {
+            "angle" => self.degrees = value != "radian",
+            "balanceinertia" => self.balance = value == "true",
+            "boundmass" => self.least_mass = one()?,
+            "boundinertia" => self.least_moment = one()?,
+            "settotalmass" => self.total_mass = Some(one()?).filter(|mass| *mass > 0.0),
+            "inertiafromgeom" => {
+                self.from_geom = match value {
+                    "true" => FromGeom::Always,
+                    "false" => FromGeom::Never,
+                    _ => FromGeom::WhereNoneIsGiven,
+                };
             }
+            "inertiagrouprange" => {
+                let [first, last] = finite::<2>(element, value)?;
+                self.groups = first as i64..=last as i64;
+            }
+            "eulerseq" => {
+                let letters: Vec<char> = value.chars().collect();
+                self.euler_sequence = <[char; 3]>::try_from(letters)
+                    .ok()
+                    .filter(|letters| letters.iter().all(|letter| "xyzXYZ".contains(*letter)))
+                    .ok_or_else(|| {
+                        Fault::at(element, format!("eulerseq '{value}': expected three of x, y, z, X, Y, Z"))
+                    })?;
+            }
+            _ => {}
         }
         Ok(())
     }

@@ -112,6 +112,7 @@ struct Tried {
 
 /// The rows that are looked at, as they were read, and the reference at their times.
 pub(super) struct Case<'a> {
+    log: &'a Log,
     reader: Reader<'a>,
     /// Indices of the rows in the log.
     rows: Vec<usize>,
@@ -123,8 +124,8 @@ pub(super) struct Case<'a> {
 }
 
 /// What explains a log; nothing where nothing needs an explanation.
-pub(super) fn explain(reader: Reader, track: &Track) -> Vec<Explanation> {
-    let Some(case) = Case::of(reader, track) else { return Vec::new() };
+pub(super) fn explain(log: &Log, reader: Reader, track: &Track) -> Vec<Explanation> {
+    let Some(case) = Case::of(log, reader, track) else { return Vec::new() };
     let before = case.residual(&case.states, &case.truth);
     let known = (0..4).map(|part| case.known(part)).fold(SMALL, f64::max);
     if before <= known {
@@ -160,8 +161,7 @@ pub(super) fn explain(reader: Reader, track: &Track) -> Vec<Explanation> {
 }
 
 impl<'a> Case<'a> {
-    fn of(reader: Reader<'a>, track: &'a Track) -> Option<Case<'a>> {
-        let log = reader.log;
+    fn of(log: &'a Log, reader: Reader<'a>, track: &'a Track) -> Option<Case<'a>> {
         let whole = |index: &usize| log.rows[*index].parts == log.parts;
         let all: Vec<usize> = (0..log.rows.len()).filter(whole).collect();
         let stride = all.len().div_ceil(ROWS).max(1);
@@ -175,11 +175,11 @@ impl<'a> Case<'a> {
             .collect();
         let own = sizes(reader.system, &track.samples());
         let sizes = [own[Quantity::Position], 1.0, own[Quantity::Velocity], own[Quantity::AngularVelocity]];
-        (!rows.is_empty()).then_some(Case { reader, rows, states, truth, track, sizes })
+        (!rows.is_empty()).then_some(Case { log, reader, rows, states, truth, track, sizes })
     }
 
     fn log(&self) -> &Log {
-        self.reader.log
+        self.log
     }
 
     fn system(&self) -> &System {

@@ -202,7 +202,7 @@ fn without_forces(case: &Case) -> Option<Tried> {
 /// The schemes whose steps are the rows of the log.
 pub(super) fn scheme(case: &Case) -> Option<Tried> {
     let rows = &case.log().rows;
-    let rows = &rows[..rows.len().min(STEPS + 1)];
+    let rows = &rows[..rows.len().min(STEPS + 1).min(case.log().block)];
     let (first, last) = (rows.first()?, rows.last()?);
     let step = (last.time() - first.time()) / (rows.len().max(2) - 1) as f64;
     let even = |pair: &[super::Row]| (pair[1].time() - pair[0].time() - step).abs() <= EQUAL * step;

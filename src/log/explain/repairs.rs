@@ -205,13 +205,15 @@ pub(super) fn turned(turn: &Rotation) -> String {
 
 /// All quantities, or one of several, are those of the row before or after.
 fn rows(case: &Case, tried: &mut Vec<Tried>) {
-    let rows = &case.log().rows;
+    let log = case.log();
     let all = Parts::of(&Part::ALL);
     let several = case.parts().each().count() > 1;
     for (by, word) in [(-1isize, "before"), (1, "after")] {
         let time = |place: usize| {
-            let other = case.rows[place].checked_add_signed(by)?;
-            rows.get(other).map(|row| row.time())
+            let own = case.rows[place];
+            let other = own.checked_add_signed(by)?;
+            let neighbours = own / log.block == other / log.block;
+            log.rows.get(other).filter(|_| neighbours).map(|row| row.time())
         };
         let words = format!("every row holds the state of the row {word}");
         tried.push(Tried { change: Change::Row, words, left: case.at_times(all, time) });

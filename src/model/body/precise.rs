@@ -1,13 +1,13 @@
 //! A body in another arithmetic.
 //!
 //! The f64 numbers of a body are taken as exact. A body given by mass points has them, moved by as much as f64 rounds their places: to the
-//! centre of mass, and those of a rod to a line. Mass, centre and inertia are summed anew. For a body given by its inertia the fewest points
-//! are made anew. The principal axes are those of the f64 body, moved by as much as f64 rounds them: schemes that go by the axes go by the
+//! centre of mass, and those of a rod to a line. Mass, centre and inertia are summed anew. For a body given by its inertia the points that stand
+//! for it are made anew. The principal axes are those of the f64 body, moved by as much as f64 rounds them: schemes that go by the axes go by the
 //! same ones in every arithmetic.
 
 use nalgebra::{Matrix3, Quaternion, Vector3};
 
-use super::fewest::fewest_points;
+use super::stand_in::stand_in_points;
 use super::{Body, MassPoint, Shape, inertia_of, second_moment_inertia};
 use crate::arithmetic::Real;
 use crate::rotation::{self, Rotation};
@@ -42,10 +42,10 @@ impl<T: Real> Body<T> {
             && (inertia_of(&self.points) - self.inertia).amax() <= self.inertia.amax() * (SUMS * T::UNIT)
     }
 
-    /// The body of the fewest points with this mass, centre and inertia.
-    pub(crate) fn made_of_fewest(&self) -> Body<T> {
+    /// The body of the points that stand for this mass, centre and inertia.
+    pub(crate) fn made_of_stand_in(&self) -> Body<T> {
         let about_center = self.inertia - second_moment_inertia(&self.center) * self.mass;
-        let points = fewest(self.mass, &about_center, &self.center);
+        let points = stand_in(self.mass, &about_center, &self.center);
         let inertia = about_center + second_moment_inertia(&self.center) * self.mass;
         Body { points, inertia, ..*self }
     }
@@ -93,16 +93,16 @@ fn center_of<T: Real>(points: &[MassPoint<T>], mass: T) -> Vector3<T> {
 /// As many points of this mass and inertia as the f64 body has; none where rounding asks for another number.
 fn made_for<T: Real>(mass: T, inertia: &Matrix3<T>, center: &Vector3<T>, body: &Body) -> Vec<MassPoint<T>> {
     let about_center = inertia - second_moment_inertia(center) * mass;
-    let points = fewest(mass, &about_center, center);
+    let points = stand_in(mass, &about_center, center);
     if points.len() == body.points.len() { points } else { Vec::new() }
 }
 
-/// The fewest points with this mass, centre and inertia about the centre, about the origin.
-fn fewest<T: Real>(mass: T, about_center: &Matrix3<T>, center: &Vector3<T>) -> Vec<MassPoint<T>> {
+/// The points that stand for this mass, centre and inertia about the centre, about the origin.
+fn stand_in<T: Real>(mass: T, about_center: &Matrix3<T>, center: &Vector3<T>) -> Vec<MassPoint<T>> {
     let f64_inertia = about_center.map(T::to_f64);
     let (_, axes) = super::moments::principal_axes(&((f64_inertia + f64_inertia.transpose()) * 0.5));
     let (moments, axes) = diagonalized(about_center, &axes);
-    fewest_points(mass, &moments, &axes, &-center)
+    stand_in_points(mass, &moments, &axes, &-center)
 }
 
 /// The direction of a rod: of the point that is farthest from the origin.

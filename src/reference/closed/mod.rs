@@ -6,6 +6,7 @@
 //! | `translation` | a centre of mass under uniform gravity, or a point on linear springs with drag | parabola, exponentials |
 //! | `rod`, `sphere` | spin about a fixed axis | sine, cosine |
 //! | `symmetric` | two equal moments: two steady rotations | sine, cosine |
+//! | `gyrostat` | the same with wheels on the axis of symmetry | sine, cosine |
 //! | `separatrix` | exactly on the separatrix | tanh, sech, arctan |
 //! | `asymmetric` | any other free body, near the separatrix too | Jacobi's, the phase of a third-kind integral |
 //!
@@ -15,6 +16,7 @@
 //! directions, and twice the largest difference is the uncertainty: the directions are few.
 
 mod asymmetric;
+mod gyrostat;
 mod lagrange_top;
 mod rod;
 mod separatrix;
@@ -74,6 +76,7 @@ enum Turn {
     Rod,
     Sphere,
     Symmetric,
+    Gyrostat(gyrostat::Gyrostat),
     Separatrix(separatrix::Separatrix),
     Asymmetric,
 }
@@ -104,7 +107,13 @@ impl Form {
             (None, Shape::Point) => {
                 translation::on_springs(system).map(|moving| Form::Apart(moving, Turn::Point))
             }
-            (None, _) => None,
+            (None, _) => {
+                let without: Vec<Law> =
+                    laws.iter().filter(|law| !matches!(law, Law::Wheels(_))).cloned().collect();
+                let gravity = self::gravity(&without)?;
+                let turn = Turn::Gyrostat(gyrostat::Gyrostat::of(system)?);
+                Some(Form::Apart(translation::Translation::Falling(gravity), turn))
+            }
         }
     }
 
@@ -124,7 +133,13 @@ impl Form {
             Form::Apart(translation, turn) => {
                 let (orientation, angular_velocity) = turn.at(system, t);
                 let (position, velocity) = translation.at(system, &orientation, &angular_velocity, t);
-                let angular_momentum = system.start.angular_momentum;
+                let angular_momentum = match turn {
+                    Turn::Gyrostat(_) => {
+                        let own = orientation.inverse_transform_vector(&angular_velocity);
+                        orientation * (system.body.inertia * own)
+                    }
+                    _ => system.start.angular_momentum,
+                };
                 let stretch = 0.0;
                 Snapshot {
                     time: t,
@@ -169,6 +184,7 @@ impl Turn {
             Turn::Rod => "free rod, by a steady rotation",
             Turn::Sphere => "free sphere, by a steady rotation",
             Turn::Symmetric => "free symmetric body, by two steady rotations",
+            Turn::Gyrostat(_) => "symmetric body with wheels on its axis, by two steady rotations",
             Turn::Separatrix(_) => "free body on the separatrix, by tanh and sech",
             Turn::Asymmetric => "free asymmetric body, by Jacobi's functions",
         }
@@ -179,6 +195,7 @@ impl Turn {
         let start = system.start.orientation;
         let orientation = match self {
             Turn::Point => return (start, Vector3::zeros()),
+            Turn::Gyrostat(gyrostat) => return gyrostat.at(system, t),
             Turn::Rod => rod::turn(system, t) * start,
             Turn::Sphere => sphere::turn(system, t) * start,
             Turn::Symmetric => symmetric::turned(system, t),

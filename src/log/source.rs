@@ -1,0 +1,135 @@
+//! The bytes of a log, some whole lines at a time: a file of any size is read in constant memory.
+//!
+//! What cannot be read twice, as a pipe, is copied first: to memory where it is short, else to a temporary file, up to a bound.
+
+use std::borrow::Cow;
+use std::fs::File;
+use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::path::Path;
+
+use crate::bounded::{FIRST, FileError, MOST_OF_A_LOG, NO_TEXT};
+
+/// Bytes that are read at a time.
+pub(super) const CHUNK: usize = 8 << 20;
+/// Most bytes of a line.
+const MOST_OF_A_LINE: usize = 64 << 20;
+
+/// What a log is read from.
+#[derive(Debug)]
+pub(super) enum Source<'a> {
+    Bytes(Cow<'a, [u8]>),
+    File { file: File, length: u64 },
+}
+
+impl Source<'_> {
+    /// Opens a file.
+    ///
+    /// # Errors
+    /// [`FileError`]: it cannot be read, begins with zero bytes, or is a pipe of more than [`MOST_OF_A_LOG`] bytes.
+    pub fn open(path: &Path) -> Result<Source<'static>, FileError> {
+        let name = path.display().to_string();
+        let unreadable = |source| FileError::Unreadable { file: name.clone(), source };
+        let refuse = |why: String| FileError::Content { file: name.clone(), line: 1, why };
+        let mut file = File::open(path).map_err(unreadable)?;
+        let about = file.metadata().map_err(unreadable)?;
+        let mut first = Vec::new();
+        Read::take(&file, FIRST).read_to_end(&mut first).map_err(unreadable)?;
+        if first.contains(&0) {
+            return Err(refuse(format!("{NO_TEXT}: it holds zero bytes")));
+        }
+        if about.is_file() {
+            file.rewind().map_err(unreadable)?;
+            return Ok(Source::File { file, length: about.len() });
+        }
+        let copy = copied(first, file).map_err(unreadable)?;
+        copy.ok_or_else(|| {
+            let most = MOST_OF_A_LOG >> 20;
+            refuse(format!("more than {most} MiB come by a pipe: write a file, which may have any size"))
+        })
+    }
+
+    /// Bytes in all.
+    pub fn length(&self) -> u64 {
+        match self {
+            Source::Bytes(bytes) => bytes.len() as u64,
+            Source::File { length, .. } => *length,
+        }
+    }
+
+    /// So many bytes from a place on, or fewer at the end.
+    pub fn some(&self, from: u64, most: usize) -> io::Result<Vec<u8>> {
+        match self {
+            Source::Bytes(bytes) => {
+                let from = usize::try_from(from).unwrap_or(usize::MAX).min(bytes.len());
+                Ok(bytes[from..bytes.len().min(from.saturating_add(most))].to_vec())
+            }
+            Source::File { file, .. } => {
+                let mut file = file;
+                file.seek(SeekFrom::Start(from))?;
+                let mut some = Vec::new();
+                file.take(most as u64).read_to_end(&mut some)?;
+                Ok(some)
+            }
+        }
+    }
+
+    /// Hands over the lines from a place on, whole ones but for the last of the file, until `take` says that it has enough.
+    pub fn lines(&self, from: u64, take: &mut dyn FnMut(&[u8]) -> bool) -> io::Result<()> {
+        let (mut at, mut buffer) = (from, Vec::new());
+        loop {
+            let had = buffer.len();
+            let more = self.some(at, CHUNK)?;
+            at += more.len() as u64;
+            let ended = more.is_empty();
+            buffer.extend_from_slice(&more);
+            let end = match more.iter().rposition(|byte| *byte == b'\n') {
+                _ if ended || buffer.len() > MOST_OF_A_LINE => buffer.len(),
+                Some(place) => had + place + 1,
+                None => continue,
+            };
+            if end > 0 && !take(&buffer[..end]) || ended {
+                return Ok(());
+            }
+            buffer.drain(..end);
+        }
+    }
+}
+
+/// What was read and what follows; `None` where that is too much.
+fn copied(mut first: Vec<u8>, rest: File) -> io::Result<Option<Source<'static>>> {
+    let most = MOST_OF_A_LOG - first.len() as u64;
+    Read::take(&rest, CHUNK as u64).read_to_end(&mut first)?;
+    if first.len() < CHUNK {
+        return Ok(Some(Source::Bytes(first.into())));
+    }
+    let mut file = tempfile::tempfile()?;
+    file.write_all(&first)?;
+    let length = first.len() as u64 + io::copy(&mut Read::take(&rest, most), &mut file)?;
+    Ok((length <= MOST_OF_A_LOG).then_some(Source::File { file, length }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_of_a_file_and_of_a_text_are_the_same_and_whole() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("log");
+        let line = "0123456789,".repeat(100) + "\n";
+        let text = line.repeat(3 * CHUNK / line.len()) + "end";
+        std::fs::write(&path, &text).expect("written");
+        for source in [Source::open(&path).expect("a file"), Source::Bytes(text.as_bytes().into())] {
+            let (mut read, mut pieces) = (Vec::new(), 0);
+            let whole = &mut |lines: &[u8]| {
+                assert!(lines.ends_with(b"\n") || lines.ends_with(b"end"));
+                read.extend_from_slice(lines);
+                pieces += 1;
+                true
+            };
+            source.lines(0, whole).expect("read");
+            assert!(pieces > 2 && read == text.as_bytes());
+            assert_eq!(source.some(text.len() as u64 - 3, 10).expect("read"), b"end");
+        }
+    }
+}
