@@ -84,7 +84,7 @@ fn evidence(scene: &Scene, reference: &Reference, contestant: &Contestant, climb
         exactness: climbed.exactness.clone(),
         drift: measure::energy_drift(contestant, system, scene.duration),
         points: measure::point_run(contestant, system, scene.duration, fastest),
-        flips: truth.and_then(|truth| measure::flips(contestant, system, scene.duration, fastest, truth)),
+        flips: truth.and_then(|truth| measure::flips(contestant, system, &reference.states, fastest, truth)),
         reversal: asked(Claim::Reversible).then(|| measure::reversal(contestant, system, rungs)).flatten(),
         symplecticity: asked(Claim::Symplectic)
             .then(|| measure::symplecticity(contestant, system, rungs))

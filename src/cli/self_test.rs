@@ -159,6 +159,30 @@ fn power_summary(scenes: u64, rows: &[self_test::power::Row]) -> String {
     text
 }
 
+/// How often each cause left a verdict undecided, a line each, and in which families and of which schemes.
+fn causes_summary(findings: &self_test::random::Findings) -> String {
+    let mut causes: Vec<_> = findings
+        .causes()
+        .into_iter()
+        .map(|(cause, kinds)| (kinds.values().sum::<usize>(), cause, kinds))
+        .collect();
+    causes.sort_by_key(|(count, ..)| std::cmp::Reverse(*count));
+    let mut text = "\nUndecided, by cause:\n".to_owned();
+    for (count, cause, kinds) in causes {
+        let (mut families, mut schemes): (BTreeMap<String, usize>, BTreeMap<&str, usize>) =
+            Default::default();
+        for ((family, scheme), count) in &kinds {
+            *families.entry(family.to_string()).or_default() += count;
+            *schemes.entry(scheme).or_default() += count;
+        }
+        let of_families = families.iter().map(|(name, count)| format!("{name} {count}"));
+        let of_schemes = schemes.iter().map(|(name, count)| format!("{name} {count}"));
+        let kinds: Vec<String> = of_families.chain(of_schemes).collect();
+        text += &format!("{count:6}  {cause}\n        {}\n", kinds.join(", "));
+    }
+    text
+}
+
 fn random_summary(seed: u64, findings: &self_test::random::Findings) -> String {
     let mut table = Table::new();
     table.load_preset(presets::UTF8_HORIZONTAL_ONLY);
@@ -177,12 +201,7 @@ fn random_summary(seed: u64, findings: &self_test::random::Findings) -> String {
         "{} random scenes of seed {seed}, {} of them without a reference\n\n{table}\n",
         findings.scenes, findings.without_reference
     );
-    let mut causes: Vec<_> = findings.causes().into_iter().collect();
-    causes.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
-    text += "\nUndecided, by cause:\n";
-    for (cause, count) in causes {
-        text += &format!("{count:6}  {cause}\n");
-    }
+    text += &causes_summary(findings);
     let mut groups: BTreeMap<(u64, &str, &str), Vec<&Finding>> = BTreeMap::new();
     for finding in &findings.against {
         let verdict = &finding.verdict;

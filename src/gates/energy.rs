@@ -4,7 +4,7 @@
 use super::{at_most, ruled};
 use crate::claim::EnergyOfFreeBody;
 use crate::measure::drift::rate_order;
-use crate::measure::{Decision, Doubt};
+use crate::measure::{BELOW, Decision, Doubt};
 use crate::record::{ClaimName, DriftClass, EnergyDrift, Evidence, Ruling, Verdict};
 
 /// Name of the rate's order.
@@ -72,13 +72,14 @@ fn judge_fall(evidence: &Evidence, drift: &EnergyDrift) -> Verdict {
     let small = &drift.rungs[COARSE.min(drift.rungs.len() - 1)..];
     let gain = small.iter().map(|rung| rung.gain / rung.rounding).fold(0.0, f64::max);
     let detail = format!("largest gain of E over the start, in roundings of the run: {gain:.2}; at most 10");
-    at_most(evidence, ClaimName::Energy, "rotational-energy-gain", gain, 10.0, detail)
+    at_most(evidence, ClaimName::Energy, "rotational-energy-gain", gain, BELOW.recip(), detail)
 }
 
 /// At least the claimed order in h, and its sign: the least over all bodies, as for an error.
 fn judge_rate(evidence: &Evidence, drift: &EnergyDrift, claimed: u32, grows: bool) -> Verdict {
     let shown = &drift.rungs[drift.shown];
-    let rate = format!("rate {:.3e} 1/s at h = {:.3e} s", shown.rate, shown.step);
+    let arithmetic = if drift.double_double { " in double-double" } else { "" };
+    let rate = format!("rate {:.3e} 1/s at h = {:.3e} s{arithmetic}", shown.rate, shown.step);
     let rule = |ruling, detail: String| ruled(evidence, ClaimName::Energy, RATE, ruling, detail);
     match (drift.class, rate_order(drift)) {
         (DriftClass::Exact, _) => {

@@ -1,7 +1,7 @@
 //! The exactness gate: every error of the ladder at its rounding, by the rule of orders, in steps of any size where the spin is steady; L of the
 //! point form too.
 
-use super::{applies, at_most, ruled};
+use super::{applies, at_most, ruled, walk};
 use crate::claim::{Quantity, When};
 use crate::measure::{Asked, Decision, Doubt, Run, decide};
 use crate::record::{ClaimName, Evidence, PointRun, Ruling, Verdict, length};
@@ -9,7 +9,7 @@ use crate::record::{ClaimName, Evidence, PointRun, Ruling, Verdict, length};
 /// Relative change of L that n steps of the point form may leave: the rounding of L + h τ in each, and that of
 /// Σ X̃_k × F_k.
 fn momentum_rounding(points: &PointRun) -> f64 {
-    points.unit * (8.0 + 4.0 * (points.steps as f64).sqrt()) + points.torque_rounding
+    points.unit * walk(points.steps) + points.torque_rounding
 }
 
 pub(super) fn judge(evidence: &Evidence, quantity: Quantity, when: When) -> Vec<Verdict> {

@@ -5,8 +5,7 @@
 
 use super::ruled;
 use crate::measure::flips::{COUNTED, flip_order, is_complete};
-use crate::measure::{Asked, BELOW, Decision, Doubt};
-use crate::model::Quantity;
+use crate::measure::{Decision, Doubt};
 use crate::record::{ClaimName, Evidence, Ruling, Verdict};
 
 pub(super) fn judge(evidence: &Evidence) -> Verdict {
@@ -19,15 +18,17 @@ pub(super) fn judge(evidence: &Evidence) -> Verdict {
     };
     let truth = flips.truth.times.len();
     let fine = &flips.rungs[flips.rungs.len().saturating_sub(COUNTED)..];
-    let open = rounding(evidence);
-    let decision = flip_order(flips, open);
-    if open > BELOW || matches!(decision, Decision::Undecided(Doubt::Open { .. })) {
-        return rule(
-            Ruling::Inconclusive,
-            format!("rounding leaves {open:.1e} rad open: whether and when the body flips is not known"),
+    let decision = flip_order(flips);
+    let complete = fine.iter().all(|rung| is_complete(flips, rung));
+    // A flip that some copies have and some have not.
+    let unknown = fine.iter().any(|rung| rung.rounding.iter().any(|apart| apart.is_infinite()));
+    if (unknown && !complete) || matches!(decision, Decision::Undecided(Doubt::Open { .. })) {
+        let detail = format!(
+            "{truth} flips in truth: roundings grow until they decide when the body flips; a shorter run would decide it"
         );
+        return rule(Ruling::Inconclusive, detail);
     }
-    if !fine.iter().all(|rung| is_complete(flips, rung)) {
+    if !complete {
         let counts: Vec<usize> = fine.iter().map(|rung| rung.times.len()).collect();
         let detail = format!("{truth} flips in truth, {counts:?} at the three finest steps");
         // Runs that differ from one another say nothing of the limit.
@@ -60,11 +61,4 @@ pub(super) fn judge(evidence: &Evidence) -> Verdict {
             rule(Ruling::Inconclusive, format!("{truth} flips: {}", super::order::doubted(&doubt)))
         }
     }
-}
-
-/// Angle that rounding leaves open in the finest run [rad].
-fn rounding(evidence: &Evidence) -> f64 {
-    let asked = Asked::of(&evidence.ladder, Quantity::Orientation);
-    let finest = asked.runs.last().and_then(|run| run.rounding.iter().copied().reduce(f64::max));
-    finest.unwrap_or(0.0)
 }

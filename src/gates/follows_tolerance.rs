@@ -5,14 +5,12 @@
 //! tolerance must lie between one half and three halves.
 
 use super::ruled;
-use crate::measure::{Asked, BELOW, Run, slope};
+use crate::measure::{Asked, BELOW, FEWEST, Run, slope};
 use crate::model::Quantity;
 use crate::record::{ClaimName, Evidence, Ruling, Rung, Verdict, length};
 
 /// The band of the slope.
 const BAND: (f64, f64) = (0.5, 1.5);
-/// Fewest tolerances of a slope.
-const FEWEST: usize = 4;
 /// Evaluations at a tolerance over those at the next larger one, where tolerances rule.
 const MORE_WORK: f64 = 1.1;
 

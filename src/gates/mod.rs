@@ -24,13 +24,11 @@ mod vertical_momentum;
 
 use crate::claim::{Claim, Quantity, When};
 use crate::record::{ClaimName, Evidence, Ruling, Setting, Verdict};
+use crate::schemes::SOLVED_TO;
 
 pub use baseline::{Baseline, Tolerance};
 pub use judge::{judge, judge_all};
 pub(crate) use reference::judge_reference;
-
-/// What the iteration of an implicit equation may leave, relative.
-const SOLVED_TO: f64 = 1e-12;
 
 /// What solves to [`SOLVED_TO`] leave by the end of a run, over the roundings of its steps, which a floor counts as √n.
 fn left_by_solves(solves: u64, steps: u64) -> f64 {
@@ -73,6 +71,11 @@ fn promised_exact(evidence: &Evidence, quantity: Quantity) -> bool {
         Claim::Exact(exact, when) => *exact == quantity && applies(&evidence.setting, *when),
         _ => false,
     })
+}
+
+/// Units that n roundings of one quantity may leave: √n of them in the mean, four times that at most, and a few of the first and the last.
+fn walk(steps: u64) -> f64 {
+    8.0 + 4.0 * (steps as f64).sqrt()
 }
 
 /// How many times its rounding a difference is, for a message.

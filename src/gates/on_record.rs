@@ -2,23 +2,18 @@
 //! energy and the work.
 
 use super::{Baseline, ruled};
-use crate::measure::{Asked, Decision, Run};
+use crate::measure::{Asked, BELOW, Decision, Run, SAME_TIME};
 use crate::model::Quantity;
 use crate::record::{ClaimName, DriftClass, EnergyDrift, EnergyRung, Evidence, Ruling, Verdict};
 
-/// Largest relative change of an error constant.
-const CONSTANT_CHANGE: f64 = 0.01;
+/// Largest relative change of an error constant, and growth of the evaluations of a run: an iteration may take another turn on another
+/// processor.
+const SAME: f64 = 0.01;
 /// Least relative change of the error of a run that shows another scheme: what r tends to for a wrong order.
 const CHANGED: f64 = 0.5;
-/// Largest growth of a rate of drift. Halves of a long run give rates that differ by a tenth where the motion is far from periodic.
-const DRIFT_GROWS: f64 = 0.1;
-/// Largest growth of the evaluations of a run: an iteration may take another turn on another processor.
-const WORK_GROWS: f64 = 0.01;
-/// Steps that differ by less, relative, are one.
-const SAME_STEP: f64 = 1e-9;
 
 fn same_step(a: f64, b: f64) -> bool {
-    (a / b - 1.0).abs() < SAME_STEP
+    (a / b - 1.0).abs() < SAME_TIME
 }
 
 /// Order, constant and errors of a quantity. `order_fails` says that the order is below the claimed one.
@@ -86,7 +81,7 @@ fn judge_constant(
             format!("not judged: the order is {}, another one than on record or claimed", found.order);
         return Some(rule(Ruling::NotApplicable, detail));
     }
-    let allowed = baseline.tolerance((&evidence.scene, name), |one| one.constant).unwrap_or(CONSTANT_CHANGE);
+    let allowed = baseline.tolerance((&evidence.scene, name), |one| one.constant).unwrap_or(SAME);
     let constant = found.constant;
     let ruling = if (constant / known - 1.0).abs() <= allowed { Ruling::Pass } else { Ruling::Fail };
     let (percent, ratio) = (100.0 * allowed, constant / known);
@@ -151,7 +146,7 @@ fn judge_work(evidence: &Evidence, recorded: &[(f64, u64)]) -> Option<Verdict> {
     };
     let runs = evidence.ladder.rungs.iter().filter(|rung| rung.broken.is_none());
     let pairs: Vec<(f64, u64, u64)> = runs.filter_map(|rung| pair(rung.step, rung.evaluations)).collect();
-    let grows = |(_, now, known): &&(f64, u64, u64)| *now as f64 > (1.0 + WORK_GROWS) * *known as f64;
+    let grows = |(_, now, known): &&(f64, u64, u64)| *now as f64 > (1.0 + SAME) * *known as f64;
     let worst = pairs.iter().filter(grows).max_by_key(|(_, now, known)| now.saturating_sub(*known));
     let rule = |ruling, detail| ruled(evidence, ClaimName::WorkOnRecord, "evaluations", ruling, detail);
     match worst {
@@ -179,7 +174,8 @@ fn judge_drift(evidence: &Evidence, known: &EnergyDrift) -> Option<Verdict> {
     let pairs: Vec<(EnergyRung, EnergyRung)> = now.rungs.iter().filter_map(pair).collect();
     let grows = |(now, known): &&(EnergyRung, EnergyRung)| {
         let open = now.uncertainty + known.uncertainty;
-        now.rate.abs() > (1.0 + DRIFT_GROWS) * known.rate.abs() + open
+        // A rate is known to a tenth.
+        now.rate.abs() > (1.0 + BELOW) * known.rate.abs() + open
     };
     match pairs.iter().find(grows) {
         _ if pairs.is_empty() => None,

@@ -10,7 +10,9 @@
 
 use super::{Baseline, SOLVED_TO, on_record, promised_exact, ruled};
 use crate::claim::Claim;
-use crate::measure::{Asked, BELOW, Decision, Doubt, HIGHEST, Order, Run, decide_either, start_allows};
+use crate::measure::{
+    Asked, BELOW, Decision, Doubt, GIANT_STEPS, HIGHEST, Order, Run, decide_either, start_allows,
+};
 use crate::model::Quantity;
 use crate::record::{ClaimName, Evidence, Ruling, Rung, Verdict, length};
 
@@ -18,8 +20,6 @@ use crate::record::{ClaimName, Evidence, Ruling, Rung, Verdict, length};
 const NAMED: f64 = 8.0;
 /// Most that an error between two runs differs from that of the coarser one, over the difference of the two.
 const BETWEEN: f64 = 2.0;
-/// Runs of so few steps are asked of what is promised to be exact alone.
-const MOST_GIANT: u64 = 7;
 
 pub(super) fn judge(evidence: &Evidence, baseline: &Baseline) -> Vec<Verdict> {
     if evidence.claims.iter().any(|claim| matches!(claim, Claim::FollowsTolerance(_))) {
@@ -251,8 +251,11 @@ fn judge_odd(evidence: &Evidence, quantity: Quantity, decision: &Decision) -> Op
         // A composition rounds the state in each of its parts, of which an evaluation is one; the parts of a step are many.
         let of_parts = f64::EPSILON * rung.evaluations as f64 * asked.scale;
         let of_solves = rung.solves as f64 * SOLVED_TO * asked.scale;
-        let floor = asked.floor(&odd, 1).max(of_parts).max(of_solves);
-        let asked_for = rung.steps > MOST_GIANT || promised_exact(evidence, quantity);
+        // The others are at their rounding over all sample times, of which one may be off by more.
+        let samples = (asked.times.len() as f64).sqrt();
+        let floor = (samples * asked.floor(&odd, 1)).max(of_parts).max(of_solves);
+        // Giant steps are asked of what is promised to be exact alone.
+        let asked_for = !GIANT_STEPS.contains(&rung.steps) || promised_exact(evidence, quantity);
         whole && asked_for && rung.broken.is_none() && floor <= BELOW * asked.scale && off(&odd) > Some(floor)
     };
     let rung = ladder.odd.iter().find(wrong)?;

@@ -1,13 +1,12 @@
 //! The rigidity gate: distances between points of the point form change by rounding only.
 
-use super::{at_most, ruled};
+use super::{at_most, ruled, walk};
 use crate::record::{ClaimName, Evidence, PointRun, Ruling, Verdict};
 
 /// Rounding of n exact rotations of a point in units u: up to 1.3 √n u where the axis tumbles, as measured, and allowed three
 /// times that. Where the axis stands still every rotation is the same and rounds the same way: n u.
 fn rounding(points: &PointRun, steady: bool) -> f64 {
-    let steps = points.steps as f64;
-    points.unit * (8.0 + 4.0 * steps.sqrt() + if steady { steps } else { 0.0 })
+    points.unit * (walk(points.steps) + if steady { points.steps as f64 } else { 0.0 })
 }
 
 pub(super) fn judge(evidence: &Evidence) -> Verdict {

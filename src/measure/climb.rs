@@ -28,7 +28,7 @@ const MOST_EVALUATIONS: u64 = 60_000;
 /// … and its tolerances: none is looser, and solvers in f64 fail below.
 const TOLERANCE: std::ops::RangeInclusive<f64> = 1e-12..=0.1;
 /// Steps of the runs of a steady spin beside its ladder: exact is exact at every step.
-const GIANT_STEPS: [u64; 4] = [1, 3, 5, 7];
+pub const GIANT_STEPS: [u64; 4] = [1, 3, 5, 7];
 
 /// What a user wants of a ladder, in steps of a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -5,6 +5,7 @@
 //! tell them apart, and only steps so small that the rate stays what it was at the start.
 
 use super::order::{Asked, BELOW, Decision, Run, decide};
+use crate::arithmetic::{DoubleDouble, Real};
 use crate::claim::{Claim, EnergyOfFreeBody};
 use crate::model::System;
 use crate::model::body::Shape;
@@ -12,7 +13,7 @@ use crate::model::copies::CLEAR;
 use crate::model::forces::Forces;
 use crate::record::{DriftClass, EnergyDrift, EnergyRung};
 use crate::rotation;
-use crate::simulate::{Contestant, Form, Plan};
+use crate::simulate::{Arithmetic, Contestant, Form, Plan};
 
 /// Largest step, in radians turned.
 const COARSEST_TURN: f64 = 0.2;
@@ -32,10 +33,14 @@ const MOST_STEPS: u64 = 4_000_000;
 const MOST_STEPS_OTHERWISE: u64 = 1_000_000;
 /// … and where it promises nothing.
 const MOST_STEPS_UNASKED: u64 = 100_000;
+/// Most steps of all runs in double-double together.
+const MOST_PRECISE_STEPS: u64 = 400_000;
 /// Change of the energy, over the energy, from which on a run has gone elsewhere: its step is too large for its rate to mean anything.
 const WILD: f64 = 1.0;
 /// Energy over the most that L allows from which on it grows without bound. (That of a thin body may be ten thousand times the first.)
 const WAY_PAST: f64 = 10.0;
+/// A rate counts as clear at so many times its uncertainty.
+const SEEN: f64 = 3.0;
 /// Samples of a run.
 const SAMPLES: u64 = 512;
 /// Difference of two moments, over the largest, below which they are one.
@@ -43,13 +48,14 @@ const ONE_MOMENT: f64 = 1e-9;
 
 /// Whether there is no rate but that of rounding, or what the averages leave of an oscillation that has not gone elsewhere.
 fn is_flat(rung: &EnergyRung, long: f64) -> bool {
-    let oscillates = rung.level < WILD && rung.rate.abs() <= 3.0 * rung.uncertainty && is_bounded(rung, long);
-    rung.rate.abs() * long <= 10.0 * rung.rounding || oscillates
+    let oscillates =
+        rung.level < WILD && rung.rate.abs() <= SEEN * rung.uncertainty && is_bounded(rung, long);
+    rung.rate.abs() * long <= rung.rounding / BELOW || oscillates
 }
 
-/// Whether the rate makes less than a tenth of the largest change.
+/// Whether the rate makes a part of the largest change that is not seen.
 fn is_bounded(rung: &EnergyRung, long: f64) -> bool {
-    rung.rate.abs() * long < 0.1 * rung.level
+    rung.rate.abs() * long < BELOW * rung.level
 }
 
 /// The order in h of the rate, by the rule of orders.
@@ -85,8 +91,6 @@ pub fn energy_drift(contestant: &Contestant, system: &System, duration: f64) -> 
     if spin == 0.0 || long * spin > LONGEST {
         return None;
     }
-    let mut drift = EnergyDrift::default();
-    let (mut flat, mut taken) = (0, 0);
     let claimed =
         contestant.card.claims.iter().find_map(|c| if let Claim::Energy(e) = c { Some(*e) } else { None });
     let most = match claimed {
@@ -94,32 +98,24 @@ pub fn energy_drift(contestant: &Contestant, system: &System, duration: f64) -> 
         Some(_) => MOST_STEPS_OTHERWISE,
         None => MOST_STEPS_UNASKED,
     };
-    let secular = most == MOST_STEPS;
-    let mut turn = COARSEST_TURN;
-    while flat < FLAT && !matches!(rate_order(&drift), Decision::Order(_)) {
-        let steps = ((long * spin / turn).ceil() as u64).div_ceil(SAMPLES) * SAMPLES;
-        taken += steps;
-        if taken > most {
-            break;
-        }
-        let rung = run_rung(contestant, &rotor, long, steps)?;
-        let is_settled = is_flat(&rung, long) || !secular && is_bounded(&rung, long);
-        flat = if is_settled { flat + 1 } else { 0 };
-        turn /= RATIO;
-        drift.rungs.push(rung);
+    let runs = LongRuns { contestant, long, spin, steady: rotor.steady_spin(), secular: most == MOST_STEPS };
+    let mut drift = EnergyDrift { rungs: runs.ladder(&rotor, most)?, ..EnergyDrift::default() };
+    if runs.secular && contestant.runs_in_double_double() && is_hidden(&drift, long) {
+        let precise = System::<DoubleDouble>::of(&rotor).ok()?;
+        drift.rungs = runs.ladder(&precise, MOST_PRECISE_STEPS)?;
+        drift.double_double = true;
     }
     let finest = drift.rungs.last()?;
-    // A rate counts as clear at three times its uncertainty.
     let clear =
-        |rung: &EnergyRung| rung.rate.abs() > (3.0 * rung.uncertainty).max(10.0 * rung.rounding / long);
+        |rung: &EnergyRung| rung.rate.abs() > (SEEN * rung.uncertainty).max(rung.rounding / BELOW / long);
     // A secular change stands out of the oscillation at large steps: it is of a higher order.
     let bounded = drift
         .rungs
         .iter()
-        .filter(|rung| rung.level > 10.0 * rung.rounding)
+        .filter(|rung| rung.level > rung.rounding / BELOW)
         .all(|rung| is_bounded(rung, long));
     drift.class = match rate_order(&drift) {
-        _ if drift.rungs.iter().all(|rung| rung.level <= 10.0 * rung.rounding) => DriftClass::Exact,
+        _ if drift.rungs.iter().all(|rung| rung.level <= rung.rounding / BELOW) => DriftClass::Exact,
         _ if finest.of_largest > WAY_PAST => DriftClass::Growing,
         _ if bounded => DriftClass::Bounded,
         Decision::Order(_) => DriftClass::Secular,
@@ -129,21 +125,74 @@ pub fn energy_drift(contestant: &Contestant, system: &System, duration: f64) -> 
     Some(drift)
 }
 
-fn run_rung(contestant: &Contestant, rotor: &System, long: f64, steps: u64) -> Option<EnergyRung> {
+/// Whether no order of the rate is decided, and the finest run changes the energy by no more than roundings that add up.
+fn is_hidden(drift: &EnergyDrift, long: f64) -> bool {
+    let at_rounding =
+        |rung: &EnergyRung| rung.rate.abs() * long <= rounding::<f64>(rung.steps as f64) / BELOW;
+    !matches!(rate_order(drift), Decision::Order(_)) && drift.rungs.last().is_some_and(at_rounding)
+}
+
+/// What so many roundings make of the energy, relative.
+fn rounding<T: Real>(count: f64) -> f64 {
+    4.0 * T::UNIT * count
+}
+
+/// Long runs of a free body at falling steps.
+struct LongRuns<'a> {
+    contestant: &'a Contestant,
+    /// What a run covers [s].
+    long: f64,
+    /// Radians turned in a second.
+    spin: f64,
+    steady: bool,
+    /// Whether a rate is promised.
+    secular: bool,
+}
+
+impl LongRuns<'_> {
+    /// The runs in an arithmetic, until the order of the rate is decided or there is none; `None` where one breaks.
+    fn ladder<T: Arithmetic>(&self, rotor: &System<T>, most: u64) -> Option<Vec<EnergyRung>> {
+        let mut drift = EnergyDrift::default();
+        let (mut flat, mut taken, mut turn) = (0, 0, COARSEST_TURN);
+        while flat < FLAT && !matches!(rate_order(&drift), Decision::Order(_)) {
+            let steps = ((self.long * self.spin / turn).ceil() as u64).div_ceil(SAMPLES) * SAMPLES;
+            taken += steps;
+            if taken > most {
+                break;
+            }
+            let rung = run_rung(self.contestant, rotor, (self.long, steps, self.steady))?;
+            let is_settled = is_flat(&rung, self.long) || !self.secular && is_bounded(&rung, self.long);
+            flat = if is_settled { flat + 1 } else { 0 };
+            turn /= RATIO;
+            drift.rungs.push(rung);
+        }
+        Some(drift.rungs)
+    }
+}
+
+/// A run in an arithmetic; `None` where it breaks.
+fn run_rung<T: Arithmetic>(
+    contestant: &Contestant,
+    rotor: &System<T>,
+    (long, steps, steady): (f64, u64, bool),
+) -> Option<EnergyRung> {
     let plan = Plan::over(long, steps, SAMPLES);
-    let run = contestant.run(rotor, Form::Least, &plan);
-    if run.outcome.broken.is_some() {
+    let (states, outcome) = contestant.run_in(rotor, Form::Least, &plan);
+    if outcome.broken.is_some() {
         return None;
     }
-    let time: Vec<f64> = run.states.iter().map(|s| s.time).collect();
-    let energy: Vec<f64> = run.states.iter().map(|s| rotor.rotational_energy(s)).collect();
-    let change: Vec<f64> = energy.iter().map(|e| (e - energy[0]) / energy[0]).collect();
+    let time: Vec<f64> = states.iter().map(|s| s.time.to_f64()).collect();
+    let energy: Vec<T> = states.iter().map(|s| rotor.rotational_energy(s)).collect();
+    let change: Vec<f64> = energy.iter().map(|e| ((*e - energy[0]) / energy[0]).to_f64()).collect();
     let third = time.len() / 3;
     let rate = secular_rate(&time, &change)?;
     let early = secular_rate(&time[..2 * third], &change[..2 * third])?;
     let late = secular_rate(&time[third..], &change[third..])?;
-    let smallest = rotor.body.moments.iter().copied().filter(|m| *m > 0.0).fold(f64::INFINITY, f64::min);
-    let most = rotation::length(&rotor.start.angular_momentum).powi(2) / (2.0 * smallest);
+    let moments = rotor.body.moments.map(T::to_f64);
+    let smallest = moments.iter().copied().filter(|m| *m > 0.0).fold(f64::INFINITY, f64::min);
+    let momentum = rotor.start.angular_momentum.map(T::to_f64);
+    let most = rotation::length(&momentum).powi(2) / (2.0 * smallest);
+    let roundings = if steady { steps as f64 } else { (steps as f64).sqrt() };
     Some(EnergyRung {
         step: plan.step,
         steps,
@@ -151,19 +200,15 @@ fn run_rung(contestant: &Contestant, rotor: &System, long: f64, steps: u64) -> O
         uncertainty: (early - late).abs(),
         level: change.iter().map(|c| c.abs()).fold(0.0, super::larger),
         gain: change.iter().copied().fold(0.0, super::larger),
-        of_largest: energy.iter().copied().fold(0.0, super::larger) / most,
-        rounding: if rotor.steady_spin() {
-            4.0 * f64::EPSILON * steps as f64
-        } else {
-            4.0 * f64::EPSILON * (steps as f64).sqrt()
-        },
-        evaluations: run.outcome.evaluations,
+        of_largest: energy.iter().map(|e| e.to_f64()).fold(0.0, super::larger) / most,
+        rounding: rounding::<T>(roundings),
+        evaluations: outcome.evaluations,
     })
 }
 
 /// Secular rate of a sampled quantity, in its unit over that of time: the difference of two averages over its
-/// halves, each weighted by a Hann window, over the time between them. An oscillation of n periods a half
-/// leaks into the rate as n⁻³ only.
+/// halves, each weighted by the square of a Hann window, over the time between them. An oscillation of n periods a half
+/// leaks into the rate as n⁻⁵ only.
 ///
 /// `None` with fewer than eight samples.
 fn secular_rate(time: &[f64], value: &[f64]) -> Option<f64> {
@@ -171,16 +216,17 @@ fn secular_rate(time: &[f64], value: &[f64]) -> Option<f64> {
     if half < 4 || time.len() != value.len() {
         return None;
     }
-    let (early, late) = (hann_mean(&time[..half], &value[..half]), hann_mean(&time[half..], &value[half..]));
+    let (early, late) =
+        (windowed_mean(&time[..half], &value[..half]), windowed_mean(&time[half..], &value[half..]));
     Some((late.1 - early.1) / (late.0 - early.0))
 }
 
-/// Means of time and value under a Hann window.
-fn hann_mean(time: &[f64], value: &[f64]) -> (f64, f64) {
+/// Means of time and value under the square of a Hann window.
+fn windowed_mean(time: &[f64], value: &[f64]) -> (f64, f64) {
     let count = time.len() as f64;
     let (mut weight_sum, mut time_sum, mut value_sum) = (0.0, 0.0, 0.0);
     for (index, (t, v)) in time.iter().zip(value).enumerate() {
-        let weight = (std::f64::consts::PI * (index as f64 + 0.5) / count).sin().powi(2);
+        let weight = (std::f64::consts::PI * (index as f64 + 0.5) / count).sin().powi(4);
         weight_sum += weight;
         time_sum += weight * t;
         value_sum += weight * v;

@@ -3,13 +3,15 @@
 
 use nalgebra::Vector3;
 
+use super::copies;
+use super::ladder::ROUNDING_DIGITS;
 use super::order::{Asked, BELOW, Decision, Run, decide};
 use crate::model::body::Shape;
 use crate::model::copies::CLEAR;
 use crate::model::{Snapshot, System};
 #[cfg(feature = "solvers")]
 use crate::ode::dop853;
-use crate::record::{FlipRung, Flips, TrueFlips};
+use crate::record::{FlipRung, Flips, TrueFlips, to_digits};
 use crate::reference::Reference;
 #[cfg(not(feature = "solvers"))]
 use crate::reference::precise;
@@ -33,26 +35,26 @@ const COARSER: f64 = 16.0;
 /// Intervals of the truth: fine enough for cubic interpolation to 1e-9 of the duration.
 const TRUE_SAMPLES: u32 = 4096;
 
-/// What the rule of orders says of the flip times; an angle that rounding leaves open [rad] makes a time uncertain too.
-pub fn flip_order(flips: &Flips, open: f64) -> Decision {
+/// What the rule of orders says of the flip times.
+pub fn flip_order(flips: &Flips) -> Decision {
     let truth = &flips.truth;
-    let of_angle = if truth.slowest > 0.0 { open / truth.slowest } else { 0.0 };
-    let common =
-        flips.rungs.iter().filter(|rung| is_complete(flips, rung)).map(|rung| rung.times.len()).min();
-    let common = common.unwrap_or(0).min(truth.times.len());
+    let whole = flips.rungs.iter().filter(|rung| is_complete(flips, rung));
+    let common = whole.map(|rung| rung.times.len()).min().unwrap_or(0).min(truth.times.len());
     let run = |rung: &FlipRung| {
         let late = rung.times.iter().zip(&truth.times).map(|(a, b)| a - b).take(common);
         // Each is a bound: r is to resolve a tenth of an error.
-        let known = (truth.uncertainty + rung.uncertainty + of_angle) / (BELOW * CLEAR);
+        let known = (truth.uncertainty + rung.uncertainty) / (BELOW * CLEAR);
+        let of_copies = |flip: usize| rung.rounding.get(flip).copied().unwrap_or(0.0);
         Run {
             step: rung.step,
             steps: rung.steps,
             errors: if is_complete(flips, rung) { late.collect() } else { Vec::new() },
-            rounding: vec![known; common],
+            rounding: (0..common).map(|flip| known.max(of_copies(flip))).collect(),
         }
     };
     let runs = flips.rungs.iter().map(run).collect();
-    decide(&Asked::in_f64(runs, &truth.times[..common], flips.duration))
+    // In this time L turns by a radian: a flip that is further off is no small change of the motion.
+    decide(&Asked::in_f64(runs, &truth.times[..common], truth.slowest.recip()))
 }
 
 /// Whether a run has the flips of the truth. One more or less is the same where it lies no further from the end of the run than ten times
@@ -64,7 +66,7 @@ pub fn is_complete(flips: &Flips, rung: &FlipRung) -> bool {
     let apart = longer.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min);
     match own.len().abs_diff(truth.len()) {
         0 => true,
-        1 => longer.last().is_some_and(|last| 2.0 * late < apart && flips.duration - last <= 10.0 * late),
+        1 => longer.last().is_some_and(|last| 2.0 * late < apart && flips.duration - last <= late / BELOW),
         _ => false,
     }
 }
@@ -168,19 +170,26 @@ impl Twice {
     }
 }
 
-/// Flips of the truth, by dop853, whose end is held against that of the reference; `None` for a body that does not tumble, or where
-/// the solver fails.
+/// Flips of the truth, by dop853 from each state of the reference to the next, so that no error grows over the run; `None` for a body that does
+/// not tumble, or where the solver fails.
 pub fn true_flips(system: &System, reference: &Reference, fastest: f64) -> Option<TrueFlips> {
     let axis = tumbling_axis(system)?;
-    let (duration, end) = (*reference.times.last()?, reference.states.last()?);
+    let duration = *reference.times.last()?;
     let fine = TRUE_SAMPLES.max((duration * fastest * 16.0).min(65536.0) as u32);
-    let times: Vec<f64> = (0..=fine).map(|j| f64::from(j) * duration / f64::from(fine)).collect();
-    let states = motion(system, &times)?;
-    let mut finder = Twice::new(axis);
-    states.iter().for_each(|state| finder.push(state));
-    let angle = rotation::angle_between(&states.last()?.orientation, &end.orientation);
+    // An even number, so that every second state is one of the reference.
+    let parts = 2 * fine.div_ceil(2 * (reference.times.len() as u32 - 1));
+    let (mut finder, mut apart) = (Twice::new(axis), 0.0);
+    finder.push(reference.states.first()?);
+    for (pair, start) in reference.states.windows(2).zip(&reference.times) {
+        let long = pair[1].time - pair[0].time;
+        let times: Vec<f64> = (0..=parts).map(|j| f64::from(j) * long / f64::from(parts)).collect();
+        let states = motion(&system.started_at(&pair[0]), &times)?;
+        states[1..].iter().for_each(|s| finder.push(&Snapshot { time: start + s.time, ..*s }));
+        let angle = rotation::angle_between(&states.last()?.orientation, &pair[1].orientation);
+        apart = super::larger(apart, angle);
+    }
     let slowest = finder.every.slowest;
-    let uncertainty = finder.uncertainty() + angle / slowest;
+    let uncertainty = finder.uncertainty() + apart / slowest;
     Some(TrueFlips { times: finder.every.times, uncertainty, slowest })
 }
 
@@ -203,18 +212,19 @@ fn motion(system: &System, times: &[f64]) -> Option<Vec<Snapshot>> {
 fn are_settled(flips: &Flips) -> bool {
     let finest = &flips.rungs[flips.rungs.len().saturating_sub(COUNTED)..];
     let complete = finest.iter().all(|rung| is_complete(flips, rung));
-    complete && !matches!(flip_order(flips, 0.0), Decision::Undecided(_))
+    complete && !matches!(flip_order(flips), Decision::Undecided(_))
 }
 
-/// Runs a scheme at halved steps and finds its flips, until their times are settled.
+/// Runs a scheme at halved steps and finds its flips, until their times are settled. `motion` is that of the truth.
 pub fn flips(
     contestant: &Contestant,
     system: &System,
-    duration: f64,
+    motion: &[Snapshot],
     fastest: f64,
     truth: TrueFlips,
 ) -> Option<Flips> {
-    let axis = tumbling_axis(system)?;
+    let (axis, duration) = (tumbling_axis(system)?, motion.last()?.time);
+    let copies = copies::starts(system, motion, f64::EPSILON, system.body.is_given_by_points());
     let mut flips = Flips { truth, duration, rungs: Vec::new() };
     for index in 0..MOST_RUNGS {
         let steps = (duration * fastest / COARSEST_TURN).ceil() as u64 * (1 << index);
@@ -222,10 +232,28 @@ pub fn flips(
             break;
         }
         let plan = Plan { step: duration / steps as f64, steps, every: 1 };
-        let mut finder = Twice::new(axis);
-        contestant.stream(system, Form::Least, &plan, &mut |state| finder.push(state));
-        let uncertainty = finder.uncertainty();
-        flips.rungs.push(FlipRung { step: plan.step, steps, times: finder.every.times, uncertainty });
+        let found = |start: &System| {
+            let mut finder = Twice::new(axis);
+            contestant.stream(start, Form::Least, &plan, &mut |state| finder.push(state));
+            finder
+        };
+        let own = found(system);
+        let uncertainty = own.uncertainty();
+        let times = own.every.times;
+        let copies: Vec<Vec<f64>> = copies.iter().map(|copy| found(copy).every.times).collect();
+        let rounding = rounding(&times, &copies);
+        flips.rungs.push(FlipRung { step: plan.step, steps, times, uncertainty, rounding });
     }
     Some(flips)
+}
+
+/// The largest distance of a flip of a copy from that of the run; infinite for a flip that not all have.
+fn rounding(own: &[f64], copies: &[Vec<f64>]) -> Vec<f64> {
+    let most = copies.iter().map(Vec::len).fold(own.len(), usize::max);
+    let apart = |flip: usize, copy: &Vec<f64>| match (own.get(flip), copy.get(flip)) {
+        (Some(own), Some(copy)) => (own - copy).abs(),
+        _ => f64::INFINITY,
+    };
+    let largest = |flip| copies.iter().map(|copy| apart(flip, copy)).fold(0.0, super::larger);
+    (0..most).map(|flip| to_digits(largest(flip), ROUNDING_DIGITS)).collect()
 }

@@ -3,8 +3,8 @@
 use nalgebra::Vector3;
 
 use super::copies;
-use super::order::{Asked, Decision, Run, decide};
-use super::{ALL, FOLLOWS, Reading, Sight, errors};
+use super::order::{Asked, BELOW, Decision, Run, decide};
+use super::{ALL, Reading, Sight, errors};
 use crate::arithmetic::Real;
 use crate::model::body::{Body, Shape};
 use crate::model::copies::CLEAR;
@@ -20,7 +20,7 @@ const ALL_DIGITS: usize = 16;
 /// Digits of errors in the evidence, …
 const ERROR_DIGITS: usize = 5;
 /// … and of roundings.
-const ROUNDING_DIGITS: usize = 2;
+pub(super) const ROUNDING_DIGITS: usize = 2;
 
 /// What a scheme did on the ladder of a scene.
 #[derive(Clone, Debug)]
@@ -68,7 +68,7 @@ pub struct Rung {
 impl Rung {
     /// Whether the run follows the truth, to a tenth of the body's size.
     pub(super) fn follows(&self, system: &System) -> bool {
-        self.errors[Quantity::BodyPoint].max <= FOLLOWS * system.body.extent()
+        self.errors[Quantity::BodyPoint].max <= BELOW * system.body.extent()
     }
 }
 

@@ -25,13 +25,13 @@ use crate::simulate::{Contestant, Form, Plan};
 
 pub(crate) use crate::model::copies::CLEAR;
 pub use climb::Bounds;
-pub(crate) use climb::{climb, climb_within};
+pub(crate) use climb::{GIANT_STEPS, climb, climb_within};
 pub(crate) use drift::energy_drift;
 pub(crate) use flips::{FlipFinder, flips, true_flips, tumbling_axis};
 pub(crate) use invariance::other_worlds;
 pub use ladder::{Climbed, Rung};
 pub(crate) use ladder::{between, start_allows};
-pub(crate) use order::{Asked, BELOW, Decision, Doubt, HIGHEST, Order, Run, decide};
+pub(crate) use order::{Asked, BELOW, Decision, Doubt, FEWEST, HIGHEST, Order, Run, SAME_TIME, decide};
 pub(crate) use points::point_run;
 pub(crate) use precise::decide_either;
 pub(crate) use reversal::reversal;
@@ -80,9 +80,6 @@ impl Metric {
         (self.measure)(sight)
     }
 }
-
-/// Error of a run that follows the truth, over the body's size.
-const FOLLOWS: f64 = 0.1;
 
 /// The metrics beside the six errors of [`Quantity`].
 pub const ALL: [Metric; 8] = [

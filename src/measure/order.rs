@@ -26,13 +26,13 @@ pub const BELOW: f64 = 0.1;
 /// Falls of r over the last two halvings, at least: half of what h does, on a logarithmic scale, and less for the earlier one.
 const FALLS: [f64; 2] = [1.3, 1.2];
 /// Fewest runs: two falls of r are seen in three pairs of them.
-const FEWEST: usize = 4;
+pub const FEWEST: usize = 4;
 /// Fewest runs that are alike.
 const FEWEST_ALIKE: usize = 2;
 /// A step of at least so many times another is a halving away.
 const HALF: f64 = 1.99;
 /// Relative difference of two times that are one.
-const SAME_TIME: f64 = 1e-9;
+pub const SAME_TIME: f64 = 1e-9;
 /// Highest order that is asked for.
 pub const HIGHEST: u32 = 12;
 
@@ -244,6 +244,8 @@ struct Vectors {
     steps: Vec<f64>,
     errors: Vec<Vec<f64>>,
     floors: Vec<f64>,
+    /// Length of an error as large as the quantity at every sample time.
+    most: f64,
 }
 
 impl Vectors {
@@ -259,6 +261,7 @@ impl Vectors {
             steps: runs.iter().map(|run| run.step).collect(),
             errors: runs.iter().map(until).collect(),
             floors: runs.iter().map(|run| asked.floor(run, samples)).collect(),
+            most: if asked.scale > 0.0 { asked.scale * (samples as f64).sqrt() } else { f64::INFINITY },
         }
     }
 
@@ -271,6 +274,7 @@ impl Vectors {
             steps: self.steps[1..].to_vec(),
             errors: pairs.collect(),
             floors: floors.collect(),
+            most: self.most,
         }
     }
 
@@ -326,7 +330,11 @@ impl Vectors {
             ratios[k].0 < BELOW && falls(middle, k, FALLS[0]) && falls(first, middle, FALLS[1])
         };
         let stays = |k: usize| ratios[k + 1..].iter().all(|(r, rounding)| *r < BELOW || r <= rounding);
-        let clear = |k: usize| length(&self.errors[k]) > self.floors[k];
+        // An error as large as the quantity is no term of a series.
+        let clear = |k: usize| {
+            let error = length(&self.errors[k]);
+            error > self.floors[k] && error < self.most
+        };
         (2..ratios.len())
             .filter(|k| fell(*k) && stays(*k) && clear(*k))
             .map(|k| (k, ratios[k].0))

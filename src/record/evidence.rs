@@ -258,6 +258,9 @@ pub struct EnergyDrift {
     /// Long runs, step falling.
     #[serde(with = "columns")]
     pub rungs: Vec<EnergyRung>,
+    /// Whether they are in double-double: rounding of f64 hides the rate.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub double_double: bool,
     /// Kind of drift.
     pub class: DriftClass,
     /// Run that stands for the ladder: the finest with a clear rate.
@@ -326,6 +329,9 @@ pub struct FlipRung {
     /// What interpolation leaves open of them [s].
     #[serde(with = "or_infinite")]
     pub uncertainty: f64,
+    /// Largest distance of a flip of a copy of the run from it [s]; infinite for a flip that not all of them have.
+    #[serde(default, with = "packed::list")]
+    pub rounding: Vec<f64>,
 }
 
 /// A run there and back.

@@ -8,9 +8,12 @@ fn rounding<T: Real>() -> f64 {
     4.0 * T::UNIT
 }
 
-/// Change that must be reached; below it the iteration goes on for as long as it improves.
+/// Change that must be reached in f64, relative.
+pub(crate) const SOLVED_TO: f64 = 1e-12;
+
+/// The same in an arithmetic; below it the iteration goes on for as long as it improves.
 pub(super) fn tolerance<T: Real>() -> f64 {
-    1e-12 * (T::UNIT / f64::EPSILON)
+    SOLVED_TO * (T::UNIT / f64::EPSILON)
 }
 
 /// Iterations without a smaller change than any before that end it. One or two are no end: changes of an iterate that

@@ -87,6 +87,7 @@ pub use crate::claim::{Claim, EnergyOfFreeBody, When};
 #[doc(no_inline)]
 pub use crate::model::Quantity;
 pub use card::Card;
+pub(crate) use iteration::SOLVED_TO;
 
 /// Rates of earlier steps that are kept without a further allocation.
 const HISTORY: usize = 8;

@@ -96,11 +96,13 @@ impl Findings {
         self.complete && self.against.is_empty()
     }
 
-    /// How often each cause left a verdict undecided: claim, quantity without its place, and the reason without its numbers.
-    pub fn causes(&self) -> BTreeMap<String, usize> {
-        let mut causes = BTreeMap::new();
-        for finding in &self.undecided {
-            *causes.entry(cause(&finding.verdict)).or_default() += 1;
+    /// How often each cause left a verdict undecided, by family and by scheme: claim, quantity without its place, and the reason without its
+    /// numbers.
+    pub fn causes(&self) -> BTreeMap<String, BTreeMap<(Family, String), usize>> {
+        let mut causes: BTreeMap<String, BTreeMap<(Family, String), usize>> = BTreeMap::new();
+        for Finding { family, verdict, .. } in &self.undecided {
+            let kinds = causes.entry(cause(verdict)).or_default();
+            *kinds.entry((*family, verdict.scheme.clone())).or_default() += 1;
         }
         causes
     }

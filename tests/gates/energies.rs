@@ -26,7 +26,12 @@ fn drift(class: DriftClass, rates: &[f64]) -> EnergyDrift {
         rounding: 1e-15,
         ..EnergyRung::default()
     };
-    EnergyDrift { rungs: rates.iter().enumerate().map(rung).collect(), class, shown: 1 }
+    EnergyDrift {
+        rungs: rates.iter().enumerate().map(rung).collect(),
+        class,
+        shown: 1,
+        ..EnergyDrift::default()
+    }
 }
 
 fn verdict(claims: &[Claim], drift: EnergyDrift, quantity: &str) -> Verdict {

@@ -4,7 +4,7 @@ use polhode::internals::measure::is_complete;
 use polhode::record::ClaimName::FlipTimes;
 use polhode::record::Ruling::{Fail, Inconclusive, NotApplicable, Pass};
 use polhode::record::{FlipRung, Flips, TrueFlips};
-use polhode::schemes::{Claim, Quantity};
+use polhode::schemes::Claim;
 
 use super::case::{Made, numbers, power, step};
 
@@ -21,6 +21,7 @@ fn late(errors: &[f64]) -> Made {
         steps: 50 << run,
         times: times(error),
         uncertainty: 0.0,
+        rounding: vec![0.0; 4],
     };
     let rungs = errors.iter().enumerate().map(rung).collect();
     made.evidence.flips = Some(Flips { truth, duration: 50.0, rungs });
@@ -57,12 +58,12 @@ fn times_of_flips_converge_at_least_as_fast_as_claimed() {
 
 #[test]
 fn times_at_what_they_may_be_off_by_are_right() {
-    // Each counts ten times: what interpolation leaves of a run and of the truth, and an angle over the slowest rate of a flip.
+    // Each counts ten times: what interpolation leaves open of a run and of the truth; a distance of copies counts thirty times.
     let off = 1e-3;
     let ways: [fn(&mut Made, f64); 3] = [
         |made, off| flips(made).rungs.iter_mut().for_each(|rung| rung.uncertainty = off),
         |made, off| flips(made).truth.uncertainty = off,
-        |made, off| made.evidence.ladder.rungs[7].rounding[Quantity::Orientation].fill(0.5 * off),
+        |made, off| flips(made).rungs.iter_mut().for_each(|rung| rung.rounding.fill(off / 3.0)),
     ];
     for way in ways {
         // Of four errors two are whole and two are halves: their length is √(5/8) times that of four whole ones.
@@ -127,12 +128,24 @@ fn one_flip_more_or_less_is_the_same_at_the_end_of_the_run_and_nowhere_else() {
 
 #[test]
 fn flips_that_are_not_known_are_not_judged() {
-    let mut made = late(&[0.0; RUNS]);
-    // Rounding leaves a tenth of a radian open.
-    for (open, expected) in [(0.1, Pass), (0.11, Inconclusive)] {
-        made.evidence.ladder.rungs[7].rounding[Quantity::Orientation].fill(open);
-        assert_eq!(ruling(&made), expected, "{open}");
+    // Copies that are a tenth of the time apart in which L turns by a radian, over thirty, decide nothing.
+    let far = 2.0 / 10.0 / 30.0;
+    for (rounding, expected) in [
+        ([0.99 * far; 4], Pass),
+        ([1.01 * far; 4], Inconclusive),
+        ([0.0, 0.0, 0.0, 10.0 * far], Inconclusive),
+    ] {
+        let mut made = late(&[0.0; RUNS]);
+        flips(&mut made).rungs.iter_mut().for_each(|rung| rung.rounding = rounding.to_vec());
+        assert_eq!(ruling(&made), expected, "{rounding:?}");
     }
+    // A flip that not all copies have.
+    let mut made = late(&power(2.0));
+    flips(&mut made).rungs.iter_mut().for_each(|rung| {
+        rung.times.push(49.0);
+        rung.rounding.push(f64::INFINITY);
+    });
+    assert_eq!(ruling(&made), Inconclusive);
     made.evidence.flips = None;
     assert_eq!(ruling(&made), NotApplicable);
 }

@@ -5,6 +5,7 @@ use polhode::internals::scenes::random::{self, Family};
 use polhode::internals::self_test::{power, random as correct_schemes};
 use polhode::model::body::Shape;
 use polhode::record::Ruling::{Broken, Fail};
+use polhode::scenes::Scene;
 use polhode::simulate::Contestant;
 
 #[test]
@@ -28,52 +29,28 @@ fn no_correct_scheme_fails_in_a_hundred_random_scenes() {
     for finding in &findings.undecided {
         assert!(!finding.verdict.detail.is_empty(), "{finding:?}");
     }
-    assert_eq!(findings.causes().values().sum::<usize>(), findings.undecided.len());
+    let of_kinds = findings.causes().into_values().flat_map(|kinds| kinds.into_values());
+    assert_eq!(of_kinds.sum::<usize>(), findings.undecided.len());
 }
 
-/// Seed, scene and scheme of verdicts that were once held against a correct scheme.
-const ONCE_HELD: [(u64, u64, &str); 21] = [
-    // A term of the fifth order leads down to where rounding hides both.
-    (1, 568, "rkmk4"),
-    (19, 58, "rkmk4"),
-    (14, 505, "rk4-quaternion"),
-    // Slopes that rest below their order for a while.
-    (16, 495, "rk4-quaternion"),
-    (43, 282, "rkmk4"),
-    // A point passes close by an attracting centre.
-    (13, 828, "implicit-midpoint"),
-    (35, 268, "adams-bashforth-2"),
-    // Energy that swings with the turn of a symmetric body about its axis.
-    (11, 27, "strang-rotations"),
-    (14, 178, "strang-rotations"),
-    // Energy of a thin body, which large steps take to the most that L allows.
-    (60, 296, "adams-bashforth-2"),
-    // Roundings that the stages of a step, or the way back, amplify; sums over points.
-    (4, 763, "rk4-quaternion"),
-    (11, 378, "rkmk4"),
-    (11, 718, "peskin-rk2"),
-    (13, 770, "strang-rotations"),
-    (16, 723, "strang-rotations"),
-    (21, 337, "peskin-rk2"),
-    // The phase of a torque that reads the time.
-    (12, 630, "rkmk4"),
-    // Steps that can be made in one world only.
-    (61, 566, "implicit-midpoint"),
-    (23, 710, "implicit-midpoint"),
-    // A touch at the end of a step, in all rungs.
-    (13, 469, "implicit-midpoint"),
-    // Rounding decides whether the body flips at the end of the run.
-    (20, 67, "peskin-rk2"),
+/// Scenes and schemes of verdicts that were once held against a correct scheme.
+const ONCE_HELD: [(&str, &str); 3] = [
+    // The times of the flips of the truth were off: dop853 amplifies a rounding at every flip.
+    (include_str!("once_held/random-tumbling-11-81.toml"), "implicit-midpoint"),
+    // A flip whose error is that of a logarithm, larger than the time that it takes: two runs have the ratio of order 1 by chance.
+    (include_str!("once_held/random-tumbling-11-117.toml"), "peskin-rk2"),
+    // A truth that is known to a few percent: errors at all sample times are below that, one of a run of odd steps at the end is not.
+    (include_str!("once_held/random-thin-3-110.toml"), "rkmk4"),
 ];
 
 #[test]
 fn what_was_once_held_against_a_correct_scheme_is_no_longer() {
     let all = Contestant::all();
-    for (seed, number, scheme) in ONCE_HELD {
-        let scene = random::scene(Family::Ordinary, seed, number).expect("a scene");
+    for (text, scheme) in ONCE_HELD {
+        let scene = Scene::parse(text, "once-held.toml").expect("a scene");
         let own = all.iter().find(|contestant| contestant.card.name == scheme).expect("a scheme").clone();
         for verdict in &Campaign::of(vec![scene], vec![own]).run().verdicts {
-            assert!(!matches!(verdict.verdict, Fail | Broken), "{seed}, {number}: {verdict:?}");
+            assert!(!matches!(verdict.verdict, Fail | Broken), "{verdict:?}");
         }
     }
 }
@@ -98,7 +75,7 @@ fn a_wrong_order_fails_in_nearly_every_random_scene_and_passes_in_none() {
 fn a_thousand_random_texts_are_scenes_of_every_kind() {
     let scenes: Vec<_> =
         (0..1000).map(|number| random::scene(Family::Ordinary, 1, number).expect("a scene")).collect();
-    let some = |what: &str, is: &dyn Fn(&polhode::scenes::Scene) -> bool| {
+    let some = |what: &str, is: &dyn Fn(&Scene) -> bool| {
         let count = scenes.iter().filter(|scene| is(scene)).count();
         assert!((10..=990).contains(&count), "{what}: {count} of 1000");
     };

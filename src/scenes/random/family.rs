@@ -26,7 +26,7 @@ const MOLECULE: Units = Units { mass: 1e-26, length: 1e-10, time: 1e-13 };
 const PLANET: Units = Units { mass: 1e24, length: 1e7, time: 1e5 };
 
 /// In what respect random scenes are extreme.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Family {
     /// In none.
     #[default]
