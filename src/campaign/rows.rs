@@ -92,10 +92,17 @@ pub(super) fn reference(scene: &Scene, reference: &Reference) -> ReferenceEviden
 /// `own_clock`: whether the runs were timed by the program itself that made them. All others are timed after the campaign, alone.
 pub(super) fn measurements(names: &Names, rungs: &[Rung], own_clock: bool) -> Vec<Measurement> {
     let finest = rungs.iter().rposition(|rung| rung.outcome.broken.is_none());
+    let is_zero = |rung: &Rung, quantity| rung.outcome.broken.is_none() && rung.errors[quantity].end == 0.0;
+    // What is zero at every step is said once. Rankings read the errors of two quantities at every step.
+    let varies = |quantity: Quantity| {
+        matches!(quantity, Quantity::Orientation | Quantity::BodyPoint)
+            || !rungs.iter().all(|rung| is_zero(rung, quantity))
+    };
     let rows = |(index, rung): (usize, &Rung)| {
         let run = run_row(names, rung, own_clock);
-        let mut rows = error_rows(&run, rung);
-        if Some(index) == finest {
+        let is_finest = Some(index) == finest;
+        let mut rows = error_rows(&run, rung, |quantity| is_finest || varies(quantity));
+        if is_finest {
             rows.extend(metric_rows(&run, rung));
         }
         rows
@@ -128,8 +135,8 @@ fn run_row(names: &Names, rung: &Rung, own_clock: bool) -> Measurement {
     }
 }
 
-/// The errors at the end of a run.
-fn error_rows(run: &Measurement, rung: &Rung) -> Vec<Measurement> {
+/// The errors at the end of a run in the quantities that are asked for.
+fn error_rows(run: &Measurement, rung: &Rung, asked: impl Fn(Quantity) -> bool) -> Vec<Measurement> {
     let row = |(quantity, errors): (Quantity, &Reading)| Measurement {
         metric: format!("{}-end", quantity.name()),
         value: shown(errors.end),
@@ -137,7 +144,7 @@ fn error_rows(run: &Measurement, rung: &Rung) -> Vec<Measurement> {
         uncertainty: uncertain(rung.floors[quantity].end),
         ..run.clone()
     };
-    rung.errors.iter().map(row).collect()
+    rung.errors.iter().filter(|(quantity, _)| asked(*quantity)).map(row).collect()
 }
 
 /// The other metrics: the largest value of each over the run. They have rows at the finest step only, the one that tables show.

@@ -1,20 +1,27 @@
 //! All that a report shows: a campaign, and what is measured beside it.
 
+#[cfg(feature = "cli")]
+use rayon::prelude::*;
+
 use super::motions::add_motions;
 use super::reduction::add_reductions;
 use super::scaling::{Sizes, add_scaling};
 use super::{Campaign, SECONDS_A_COST, add_costs};
 use crate::record::Records;
 #[cfg(feature = "cli")]
-use crate::record::Request;
+use crate::record::{Request, stability::Map};
 use crate::scenes::{self, Scene};
 use crate::schemes;
 use crate::simulate::Contestant;
 #[cfg(feature = "cli")]
-use crate::study::precision;
+use crate::study::{precision, stability};
 
 /// Scenes in which every scheme is measured: free, held at a point under gravity, and under springs.
 const EVERY_SCHEME: [&str; 3] = ["free-asymmetric", "heavy-asymmetric-top", "tether-springs"];
+
+/// Cells along either axis of a map of growth.
+#[cfg(feature = "cli")]
+const CELLS: usize = 48;
 
 /// What a survey covers.
 ///
@@ -34,6 +41,8 @@ pub struct Survey<'a> {
     pub published: bool,
     /// Whether the main schemes are measured in single, double and double-double precision.
     pub precision: bool,
+    /// Whether the growth of a small displacement is mapped over step and damping, for the main schemes.
+    pub growth: bool,
     /// Whether steps are timed.
     pub timed: bool,
     /// Called as (task, done, of all) after every piece of work.
@@ -72,6 +81,7 @@ impl Survey<'_> {
             sizes: None,
             published: false,
             precision: false,
+            growth: false,
             timed: true,
             progress: &|_, _, _| (),
         }
@@ -80,7 +90,8 @@ impl Survey<'_> {
     /// The main schemes in every built-in scene, all schemes in three of them, and how costs grow.
     pub fn standard() -> Survey<'static> {
         let grid = Survey::of(scenes::built_in(), Contestant::main());
-        Survey { every_scheme: true, sizes: Some(Sizes::Usual), published: true, precision: true, ..grid }
+        let sizes = Some(Sizes::Usual);
+        Survey { every_scheme: true, sizes, published: true, precision: true, growth: true, ..grid }
     }
 
     /// Measures, judges, compares and times, or as much of it as there is time for.
@@ -96,6 +107,7 @@ impl Survey<'_> {
         self.add_peers(&mut records);
         self.add_published(&mut records);
         self.add_precision(&mut records);
+        self.add_growth(&mut records);
         if self.timed {
             self.add_times(&mut records);
         }
@@ -110,6 +122,7 @@ impl Survey<'_> {
             every_scheme: self.every_scheme,
             published: self.published,
             precision: self.precision,
+            growth: self.growth,
         }
     }
 
@@ -165,13 +178,31 @@ impl Survey<'_> {
         if !self.precision {
             return;
         }
-        let main = |one: &&Contestant| schemes::MAIN.contains(&one.card.name);
-        let contestants: Vec<Contestant> = self.contestants.iter().filter(main).cloned().collect();
+        let contestants = self.main();
         let scenes = precision::SCENES.iter().filter_map(|name| Scene::find(name).ok()).collect();
         match precision::rows(scenes, &contestants) {
             Ok(rows) => records.precision = rows,
             Err(_) => records.complete = false,
         }
+    }
+
+    /// Growth is mapped with the feature `cli`.
+    #[cfg(not(feature = "cli"))]
+    fn add_growth(&self, _: &mut Records) {}
+
+    #[cfg(feature = "cli")]
+    fn add_growth(&self, records: &mut Records) {
+        if self.growth {
+            let map = |one: &Contestant| stability::map("spring-damping", one, CELLS);
+            records.maps = self.main().par_iter().filter_map(map).map(Map::rounded).collect();
+        }
+    }
+
+    /// The main schemes among those of the grid.
+    #[cfg(feature = "cli")]
+    fn main(&self) -> Vec<Contestant> {
+        let is_main = |one: &&Contestant| schemes::MAIN.contains(&one.card.name);
+        self.contestants.iter().filter(is_main).cloned().collect()
     }
 
     fn add_times(&self, records: &mut Records) {

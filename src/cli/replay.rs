@@ -42,6 +42,7 @@ pub(super) fn replay(options: &Options, quiet: bool) -> Result<u8, Failure> {
         every_scheme: request.every_scheme,
         published: request.published,
         precision: request.precision,
+        growth: request.growth,
         timed: false,
         ..Survey::of(scenes, contestants)
     };

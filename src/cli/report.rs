@@ -66,6 +66,7 @@ fn survey(options: &Options) -> Result<Survey<'static>, Failure> {
         every_scheme: full || whole,
         published: whole,
         precision: whole,
+        growth: whole,
         sizes: whole.then_some(if full { Sizes::Full } else { Sizes::Usual }),
         ..Survey::of(selection.scenes()?, selection.contestants(full)?)
     })

@@ -12,7 +12,7 @@ use super::{Machine, RecordError, Records, read_text};
 const SCHEMA: &str = "polhode/capsule/1";
 
 /// Sections of records that a second run gives again to the bit; the others hold times of the machine.
-const SECTIONS: [&str; 9] = [
+const SECTIONS: [&str; 10] = [
     "measurements",
     "orders",
     "drifts",
@@ -22,6 +22,7 @@ const SECTIONS: [&str; 9] = [
     "series",
     "published",
     "precision",
+    "maps",
 ];
 /// Fields of rows that are times.
 const TIMES: [&str; 1] = ["nanoseconds_per_step"];
@@ -37,6 +38,9 @@ pub struct Request {
     pub published: bool,
     /// Whether precision was studied.
     pub precision: bool,
+    /// Whether growth was mapped.
+    #[serde(default)]
+    pub growth: bool,
 }
 
 /// A scene as it was given.

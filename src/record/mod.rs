@@ -126,6 +126,9 @@ pub struct Records {
     /// What schemes reach in single and in double precision, one row a scene, scheme and arithmetic.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub precision: Vec<PrecisionRow>,
+    /// Growth of a small displacement over step and damping, one map a scheme.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub maps: Vec<stability::Map>,
 }
 
 /// The machine that the costs belong to.
@@ -187,6 +190,7 @@ impl Records {
         self.twins.extend(other.twins);
         self.published.extend(other.published);
         self.precision.extend(other.precision);
+        self.maps.extend(other.maps);
         let judged = self.verdicts.len();
         for verdict in other.verdicts {
             if !self.verdicts[..judged].contains(&verdict) {
@@ -210,6 +214,7 @@ impl Records {
         kept.motions.retain(|row| keep(&row.scheme));
         kept.costs.retain(|row| keep(&row.scheme));
         kept.precision.retain(|row| keep(&row.scheme));
+        kept.maps.retain(|row| keep(&row.scheme));
         kept
     }
 

@@ -5,13 +5,14 @@
 //! ```
 //!
 //! The place is written in base 64, the highest digit first. The first character of the text is d: `5` has four characters a number and
-//! e₀ = 70, `3` has three and e₀ = 70, `2` has two, e₀ = 34 and no sign, and `*` has the 64 bits of the double in eleven; `n` is the code of `nearby`. A dot is a zero, whose sign is lost but where bits are written. Lists are
+//! e₀ = 70, `3` has three and e₀ = 70, `2` has two, e₀ = 34 and no sign, and `*` has the 64 bits of the double in eleven; `n` and `m` are the codes of
+//! `nearby` for five and for three digits. A dot is a zero, whose sign is lost but where bits are written. Lists are
 //! separated by commas. A reader gets each number back to the last bit.
 
 use serde::de::{Error, SeqAccess, Visitor, value::SeqAccessDeserializer};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::nearby;
+use super::nearby::Near;
 use crate::quantity::{PerQuantity, Quantity};
 
 const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
@@ -33,13 +34,15 @@ struct Code {
 
 /// Five digits.
 const FIVE: Code = Code { name: b'5', width: 4, least: 10_000, exponent: -70, signs: 2 };
-/// Name of the code of [`nearby`].
-const NEARBY: u8 = b'n';
+/// Three digits.
+const THREE: Code = Code { name: b'3', width: 3, least: 100, exponent: -70, signs: 2 };
+/// Names of the codes of [`nearby`], and the codes of the numbers in them.
+const NEARBY: [(u8, Code); 2] = [(b'n', FIVE), (b'm', THREE)];
 
 /// The codes, the shortest first.
 const CODES: [Code; 4] = [
     Code { name: b'2', width: 2, least: 10, exponent: -34, signs: 1 },
-    Code { name: b'3', width: 3, least: 100, exponent: -70, signs: 2 },
+    THREE,
     FIVE,
     Code { name: b'*', width: 11, least: 0, exponent: 0, signs: 1 },
 ];
@@ -59,6 +62,11 @@ impl Code {
         let place = (above * 9 * self.least + mantissa - self.least) * self.signs;
         let whole = decimal(mantissa, exponent) == value.abs() && place + 1 < 1 << (6 * self.width);
         (whole && (value > 0.0 || self.signs == 2)).then_some(place + u64::from(value < 0.0))
+    }
+
+    /// The code of near exponents for such numbers.
+    fn near(&self) -> Near {
+        Near { mantissas: 9 * self.least, width: self.width as usize - 1, far: self.width as usize }
     }
 
     fn number(&self, place: u64) -> f64 {
@@ -100,8 +108,9 @@ pub(super) fn text_of(lists: &[&[f64]]) -> String {
     };
     let text = CODES.iter().find_map(written).unwrap_or_default();
     // The exponents of errors are near one another.
-    let five = text.as_bytes().first() == Some(&FIVE.name);
-    nearby_text(lists).filter(|near| five && near.len() < text.len()).unwrap_or(text)
+    let near = NEARBY.iter().find(|(_, code)| text.as_bytes().first() == Some(&code.name));
+    let near = near.and_then(|(name, code)| nearby_text(lists, *name, *code));
+    near.filter(|near| near.len() < text.len()).unwrap_or(text)
 }
 
 /// A place in base 64, the highest digit first.
@@ -114,14 +123,14 @@ fn number_of(letters: &[u8]) -> Option<u64> {
     letters.iter().try_fold(0, |place, digit| Some(place << 6 | value_of(*digit)?))
 }
 
-/// The lists in the code of near exponents; `None` where it does not hold them.
-fn nearby_text(lists: &[&[f64]]) -> Option<String> {
-    let mut text = vec![NEARBY];
+/// The lists in a code of near exponents; `None` where it does not hold them.
+fn nearby_text(lists: &[&[f64]], name: u8, code: Code) -> Option<String> {
+    let mut text = vec![name];
     for (index, list) in lists.iter().enumerate() {
         text.extend((index > 0).then_some(b','));
-        let place = |value: &f64| if *value == 0.0 { Some(None) } else { FIVE.place(*value).map(Some) };
+        let place = |value: &f64| if *value == 0.0 { Some(None) } else { code.place(*value).map(Some) };
         let places: Vec<Option<u64>> = list.iter().map(place).collect::<Option<_>>()?;
-        nearby::write(&mut text, &places, |text, place| letters(text, place, FIVE.width))?;
+        code.near().write(&mut text, &places, |text, place| letters(text, place, code.width))?;
     }
     String::from_utf8(text).ok()
 }
@@ -129,9 +138,9 @@ fn nearby_text(lists: &[&[f64]]) -> Option<String> {
 /// The lists of such a text; `None` where it is none.
 pub(super) fn lists_of(text: &str) -> Option<Vec<Vec<f64>>> {
     let (name, mut rest) = text.as_bytes().split_first()?;
-    if *name == NEARBY {
-        let number = |place: Option<u64>| place.map_or(0.0, |place| FIVE.number(place));
-        let list = |part: &[u8]| Some(nearby::read(part, number_of)?.into_iter().map(number).collect());
+    if let Some((_, code)) = NEARBY.iter().find(|(near, _)| near == name) {
+        let number = |place: Option<u64>| place.map_or(0.0, |place| code.number(place));
+        let list = |part: &[u8]| Some(code.near().read(part, number_of)?.into_iter().map(number).collect());
         return rest.split(|letter| *letter == b',').map(list).collect();
     }
     let code = CODES.iter().find(|code| code.name == *name)?;
@@ -275,12 +284,18 @@ mod tests {
     fn numbers_come_back_to_the_last_bit_in_the_shortest_code_that_holds_them() {
         let two = [1e-33, 9.9e-5, 0.5, 30.0, 9.9e10, 0.0];
         let three = [-1e-66, 9.99e-9, -0.25, 123.0, -9.99e25, 0.0, 3e-24];
+        let close = [-1.23e-9, 9.99e-8, 0.0, 1e-6, -5e-9, 1.5e-9];
         let five = [-1e-66, 9.9999e-9, -0.25, 123.45, -9.9999e25, 0.0, 3e-24];
         let near = [-1.2345e-9, 9.9999e-8, 0.0, 1.0001e-6, -5e-9, 1.5e-9];
         let all = [std::f64::consts::PI, -0.1 - 0.2, 1e-300, f64::MAX, f64::NAN, f64::NEG_INFINITY, 0.0];
-        for (numbers, sign, length) in
-            [(&two[..], '2', 12), (&three, '3', 20), (&five, '5', 26), (&near, 'n', 18), (&all, '*', 68)]
-        {
+        for (numbers, sign, length) in [
+            (&two[..], '2', 12),
+            (&three, '3', 20),
+            (&close, 'm', 13),
+            (&five, '5', 26),
+            (&near, 'n', 18),
+            (&all, '*', 68),
+        ] {
             let text = text_of(&[numbers]);
             assert!(text.starts_with(sign) && text.len() == length, "{text}");
             let bits = |list: &[f64]| list.iter().map(|number| number.to_bits()).collect::<Vec<_>>();

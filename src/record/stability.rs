@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Machine, RecordError};
+use super::{Machine, RecordError, to_digits};
 use crate::words::words;
 
 words! {
@@ -61,6 +61,9 @@ words! {
 
 /// The schema that [`Stability`] follows.
 pub const SCHEMA: &str = "polhode/stability/1";
+
+/// Digits of a cell that is kept for its colour alone: a colour map has some two hundred steps.
+const DIGITS: usize = 3;
 
 /// Everything that one study measured.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -233,6 +236,15 @@ pub struct Map {
     pub seconds: f64,
     /// How far the edge of the map is from the theory: the median over the rows, relative; `None` without theory.
     pub edge_off_theory: Option<f64>,
+}
+
+impl Map {
+    /// The map in as many digits as a colour shows, without the time that it took.
+    pub fn rounded(self) -> Map {
+        let round = |value: Option<f64>| value.map(|value| to_digits(value, DIGITS));
+        let values = self.values.into_iter().map(|row| row.into_iter().map(round).collect()).collect();
+        Map { values, seconds: 0.0, ..self }
+    }
 }
 
 /// A run of very many steps.

@@ -48,7 +48,7 @@ pub use text::verdict_table;
 
 use folder::Folder;
 use page::Figure;
-use plot::{Picture, Subject};
+use plot::Subject;
 
 /// A report could not be written.
 #[derive(Debug, thiserror::Error)]
@@ -139,7 +139,9 @@ pub fn write_with(
     let main = records.without_apart();
     let figures = write_pictures(records, &main, &subjects, out, progress)?;
     let page = page::compose(records, &main, &figures);
-    write_page(&out.join("report.md"), |file| markdown::render(&page, file))?;
+    let data = ["records.json"].into_iter().chain(CSV_FILES);
+    let text = markdown::Text::new(records, &main, &page, &figures).with_data(data).whole();
+    write_page(&out.join("report.md"), |file| text.render(file))?;
     html::write(records, &main, &page, out)?;
     let mut files = names(&pages, figures.iter().map(|figure| &figure.subject));
     if pictures == Pictures::PngAndSvg {
@@ -177,12 +179,11 @@ pub fn write_single_file(
     write_json(&out.join("records.json"), records)?;
     let main = records.without_apart();
     let path = out.join("index.html");
-    let fault = |plot::Fault(why)| ReportError::Picture { path: path.clone(), why };
-    let overview = plot::lay_out(records, &main, &Subject::Overview).map_err(fault)?;
-    let overview = overview.map(|picture| picture.png()).transpose().map_err(fault)?;
-    let page = page::compose(records, &main, &[]);
-    html::write_single(records, &main, &page, overview.as_deref(), &path)?;
-    progress(1, 1);
+    let mut subjects = plot::subjects(records);
+    subjects.retain(Subject::stands_for_a_page);
+    let keep = |_: &Subject, png: Vec<u8>| Ok(Some(plot::base64(&png)));
+    let figures = draw(records, &main, &subjects, &path, progress, &keep)?;
+    html::write_single(records, &main, &page::compose(records, &main, &figures), &path)?;
     Ok(folder.finish(&names(&pages, std::iter::empty()))?)
 }
 
@@ -212,7 +213,7 @@ pub fn write_engines(records: &Records, out: &Path) -> Result<(), ReportError> {
         if let Some(picture) = plot::lay_out(records, records, &subject).map_err(fault)? {
             let svg = picture.svg().map_err(fault)?;
             write_whole(&path, plot::alone(&svg).as_bytes())?;
-            figures.push(Figure { subject });
+            figures.push(Figure { subject, data: None });
         }
     }
     write_page(&out.join("engines.md"), |file| engines::page(records, &figures, file))?;
@@ -237,20 +238,40 @@ fn write_pictures(
     out: &Path,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Vec<Figure>, ReportError> {
+    let write = |subject: &Subject, png: Vec<u8>| -> Result<Option<String>, ReportError> {
+        write_whole(&out.join("plots").join(subject.file_name()), &png)?;
+        Ok(None)
+    };
+    draw(records, main, subjects, out, progress, &write)
+}
+
+/// What becomes of a PNG: its data, where the page holds them.
+type Keep<'a> = &'a (dyn Fn(&Subject, Vec<u8>) -> Result<Option<String>, ReportError> + Sync);
+
+/// Draws pictures as PNGs.
+fn draw(
+    records: &Records,
+    main: &Records,
+    subjects: &[Subject],
+    out: &Path,
+    progress: &(dyn Fn(usize, usize) + Sync),
+    keep: Keep,
+) -> Result<Vec<Figure>, ReportError> {
     let done = AtomicUsize::new(0);
     let one = |subject: &Subject| {
-        let path = out.join("plots").join(subject.file_name());
-        let fault = |plot::Fault(why)| ReportError::Picture { path: path.clone(), why };
+        let fault = |plot::Fault(why)| ReportError::Picture { path: out.join(subject.file_name()), why };
         let figure = match plot::lay_out(records, main, subject).map_err(fault)? {
-            Some(picture) => Some(write_picture(&picture, &path)?),
+            Some(picture) => {
+                let data = keep(subject, picture.png().map_err(fault)?)?;
+                Some(Figure { subject: subject.clone(), data })
+            }
             None => None,
         };
         progress(done.fetch_add(1, Ordering::Relaxed) + 1, subjects.len());
         Ok(figure)
     };
     let drawn: Result<Vec<Option<Figure>>, ReportError> = subjects.par_iter().map(one).collect();
-    let figures: Vec<Figure> = drawn?.into_iter().flatten().collect();
-    Ok(figures)
+    Ok(drawn?.into_iter().flatten().collect())
 }
 
 /// Writes the pictures as SVG, and gives back the names of the files.
@@ -270,10 +291,4 @@ fn write_vectors(
     };
     let written: Result<Vec<Option<String>>, ReportError> = subjects.par_iter().map(one).collect();
     Ok(written?.into_iter().flatten().collect())
-}
-
-fn write_picture(picture: &Picture, path: &Path) -> Result<Figure, ReportError> {
-    let fault = |plot::Fault(why)| ReportError::Picture { path: path.into(), why };
-    write_whole(path, &picture.png().map_err(fault)?)?;
-    Ok(Figure { subject: picture.subject.clone() })
 }

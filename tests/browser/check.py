@@ -8,8 +8,8 @@ from devtools import Browser
 
 NARROW, WIDE = 390, 1400
 MOST_NODES = 3000
-# Bytes: of a page, of the index compressed, of the one page with everything in it, of the records, of the whole folder.
-PAGE, PACKED_INDEX, SINGLE, RECORDS, FOLDER = 1_000_000, 300_000, 8_000_000, 20_000_000, 35_000_000
+# Bytes: of a page, of the index compressed, of the one page with everything in it, of the records, of the Markdown, of the whole folder.
+PAGE, PACKED_INDEX, SINGLE, RECORDS, MARKDOWN, FOLDER = 1_000_000, 300_000, 8_000_000, 20_000_000, 200_000, 35_000_000
 
 # Every figure with data is scrolled to, so that it is drawn.
 DRAWN = """(async () => {
@@ -173,6 +173,8 @@ class Check:
         view = run(f"{one}.polhode.view[0]")
         self.page.press("ArrowRight")
         self.holds(f"{where}: the view does not turn", run(f"{one}.polhode.view[0]") != view)
+        between = run(f"(() => {{ const m = {one}.polhode; m.choose(); m.at = 3.6; return [m.run.coarse, m.now()]; }})()")
+        self.holds(f"{where}: a coarse run is drawn between its steps: {between}", between == [True, 3])
         ends = run(f"(() => {{ const m = {one}.polhode; m.at = m.frames; m.draw(); return m.runs.map(run => run.turn.at(-1).length); }})()")
         self.holds(f"{where}: a run is not whole", ends and all(length == 4 for length in ends))
 
@@ -193,12 +195,14 @@ class Check:
         self.page.call("Page.printToPDF")
         self.holds(f"{where}: {run('window.folded')} parts are folded on paper", run("window.folded") == 0)
 
-    def still(self, path):
+    def still(self, path, least=1):
+        """Without scripts the pictures stand there."""
         where = self.open(path, WIDE, scripts=False)
         self.page.look(WIDE)
         missing = self.page.run("[...document.images].filter(one => one.complete && !one.naturalWidth).length")
         self.holds(f"{where}: {missing} pictures are missing", missing == 0)
-        self.holds(f"{where}: no picture", self.page.run("document.images.length") > 0)
+        images = self.page.run("document.images.length")
+        self.holds(f"{where}: {images} pictures", images >= least)
 
 
 def sizes(check, folder, single):
@@ -208,11 +212,13 @@ def sizes(check, folder, single):
     check.holds(f"{largest.name} has {largest.stat().st_size} bytes", largest.stat().st_size <= PAGE)
     packed = len(gzip.compress((folder / "index.html").read_bytes()))
     check.holds(f"the index has {packed} bytes compressed", packed <= PACKED_INDEX)
-    for path, most in [(single / "index.html", SINGLE), (folder / "records.json", RECORDS)]:
+    limits = [(single / "index.html", SINGLE), (folder / "records.json", RECORDS), (folder / "report.md", MARKDOWN)]
+    for path, most in limits:
         check.holds(f"{path} has {path.stat().st_size} bytes", path.stat().st_size <= most)
     whole = sum(path.stat().st_size for path in folder.rglob("*") if path.is_file())
     check.holds(f"the folder has {whole} bytes", whole <= FOLDER)
-    return f"largest page {largest.stat().st_size}, index compressed {packed}, single {(single / 'index.html').stat().st_size}, folder {whole} bytes"
+    sizes = ", ".join(f"{path.name} {path.stat().st_size}" for path, _ in limits[1:])
+    return f"largest page {largest.stat().st_size}, index compressed {packed}, single {(single / 'index.html').stat().st_size}, {sizes}, folder {whole} bytes"
 
 
 def main():
@@ -256,6 +262,7 @@ def main():
         where = check.open(single / "index.html", WIDE)
         check.structure(where)
         check.motion(where)
+        check.still(single / "index.html", least=len(list((folder / "plots").glob("*-convergence.png"))))
     finally:
         browser.close()
     print(f"browser: {check.count} checks of {len(kinds) + 1} pages, {len(check.faults)} failed; index {nodes} nodes, loaded in {took:.0f} ms; {said}")

@@ -42,7 +42,7 @@ fn a_whole_report_has_every_file_and_every_picture_is_large() {
     let plots = plots(&folder);
     // Convergence, invariants and up to two of work and precision a scene, and six of all of them.
     assert!((3 * SCENES..=4 * SCENES + 6).contains(&plots.len()), "{}", plots.len());
-    assert_eq!(calls.load(Ordering::Relaxed), 4 * SCENES + 6);
+    assert_eq!(calls.load(Ordering::Relaxed), 4 * SCENES + 7);
     for path in plots {
         let (width, height) = png_size(&path);
         assert!(width >= 1100 && height >= 480, "{}: {width} × {height}", path.display());

@@ -14,7 +14,7 @@ use std::path::Path;
 use minijinja::{AutoEscape, Environment, Value, context};
 
 use super::page::Page;
-use super::plot::{Looks, base64};
+use super::plot::Looks;
 use super::{ReportError, template, write_page};
 use crate::record::{Records, write_whole};
 
@@ -68,16 +68,15 @@ pub(super) fn write(records: &Records, main: &Records, page: &Page, out: &Path) 
     Ok(())
 }
 
-/// Writes everything as one page; `overview` is the picture on it, as PNG.
+/// Writes everything as one page.
 pub(super) fn write_single(
     records: &Records,
     main: &Records,
     page: &Page,
-    overview: Option<&[u8]>,
     path: &Path,
 ) -> Result<(), ReportError> {
     let site = Site::new(records, main, page).map_err(|error| fault(path, &error))?;
-    write_page(path, |file| site.single(overview, file))
+    write_page(path, |file| site.single(file))
 }
 
 fn fault(path: &Path, error: &minijinja::Error) -> ReportError {
@@ -132,18 +131,13 @@ impl<'a> Site<'a> {
         self.render("frame.html", context! { ..self.of_leaf(leaf)?, ..links }, writer)
     }
 
-    fn single(&self, overview: Option<&[u8]>, writer: impl Write) -> Result<(), minijinja::Error> {
+    fn single(&self, writer: impl Write) -> Result<(), minijinja::Error> {
         let links = links("", "#", "", "#top");
         let bodies: Result<Vec<Value>, _> = self.leaves.iter().map(|leaf| self.of_leaf(leaf)).collect();
         let bodies = bodies?;
         let (style, script) = (Value::from_safe_string(STYLE.into()), Value::from_safe_string(SCRIPT.into()));
-        let overview = overview.map(base64);
         let chart = self.overview()?;
-        self.render(
-            "single.html",
-            context! { bodies, style, script, overview, chart, single => true, ..links },
-            writer,
-        )
+        self.render("single.html", context! { bodies, style, script, chart, single => true, ..links }, writer)
     }
 
     /// What a leaf's template reads, beside the page.

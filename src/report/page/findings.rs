@@ -17,8 +17,9 @@ struct Subject<'a> {
     scheme: &'a str,
     /// Its decided orders of the quantity that a scene is ranked by.
     orders: Vec<&'a Order>,
-    /// Scenes in which an order was sought.
-    sought: usize,
+    /// Scenes in which every error is rounding, and those in which an order stays open.
+    exact: usize,
+    open: usize,
 }
 
 /// A sentence each; those that the records say nothing about are left out. `main` has no schemes that stand apart.
@@ -28,8 +29,10 @@ pub(super) fn findings(records: &Records, main: &Records) -> Vec<String> {
     let sought: Vec<&Order> =
         main.orders.iter().filter(|row| row.scheme == scheme && quantity(row)).collect();
     let decided = |row: &&Order| row.status == OrderStatus::Decided && row.order.is_some();
-    let orders = sought.iter().copied().filter(decided).collect();
-    let subject = Subject { records: main, scheme, orders, sought: sought.len() };
+    let orders: Vec<&Order> = sought.iter().copied().filter(decided).collect();
+    let exact = sought.iter().filter(|row| row.status == OrderStatus::Exact).count();
+    let open = sought.len() - orders.len() - exact;
+    let subject = Subject { records: main, scheme, orders, exact, open };
     let sentences =
         [subject.order(), subject.constant(), subject.drift(), subject.failures(records), subject.cheapest()];
     sentences.into_iter().flatten().collect()
@@ -48,13 +51,17 @@ impl Subject<'_> {
         values.sort_by(|a, b| a.0.total_cmp(&b.0));
         let [(low, at_low), (high, at_high)] = extremes(values.iter().copied())?;
         let claimed = survey::claimed_order(self.records, self.scheme);
-        let claim = claimed.map_or(String::new(), |order| format!(", claimed {order}"));
+        let claim = claimed.map_or(String::new(), |order| format!(" (claimed: {order})"));
+        let scenes = |count: usize| number::counted(count, "scene");
+        let others =
+            [(self.exact, "its errors are rounding at every step"), (self.open, "no order is decided")];
+        let others = others.into_iter().filter(|(count, _)| *count > 0);
+        let others: String = others.map(|(count, words)| format!("; in {} {words}", scenes(count))).collect();
         Some(format!(
-            "{} converges with order {:.2} in the median scene{claim}, from {low:.2} ({at_low}) to {high:.2} ({at_high}); {} of {} scenes decide an order.",
+            "{} is of order {:.2}{claim}, the median of {}, from {low:.2} ({at_low}) to {high:.2} ({at_high}){others}.",
             self.scheme,
             values[values.len() / 2].0,
-            self.orders.len(),
-            self.sought
+            scenes(values.len()),
         ))
     }
 
@@ -74,11 +81,10 @@ impl Subject<'_> {
         let power = number::superscript(claimed as i32);
         let three = |value: f64| number::significant(value, 2);
         Some(format!(
-            "Its orientation error at the end is C (hΩ){power} with a median C of {} rad, from {} ({at_low}) to {} ({at_high}): steps of 0.1 rad end {} rad off in the median scene.",
-            three(median),
+            "At 0.1 rad per step a run ends {} rad off in the median scene: the orientation error is C (hΩ){power}, with Ω the largest spin and C from {} rad ({at_low}) to {} rad ({at_high}).",
+            three(median * 0.1f64.powi(claimed as i32)),
             three(low),
             three(high),
-            three(median * 0.1f64.powi(claimed as i32))
         ))
     }
 
@@ -113,14 +119,23 @@ impl Subject<'_> {
     fn failures(&self, records: &Records) -> Option<String> {
         let card = self.records.schemes.iter().find(|row| row.name == self.scheme);
         let line = card.and_then(|row| row.fails_where.as_deref());
-        let line = line.map(|line| format!("{} fails here: {}. ", self.scheme, line.trim_end_matches('.')));
-        let counts = survey::tally(records.verdicts.iter());
-        let all: usize = counts.iter().map(|(_, count)| count).sum();
-        let worrying: Vec<(Outcome, usize)> =
-            counts.into_iter().filter(|(outcome, count)| outcome.needs_attention() && *count > 0).collect();
-        let rest =
-            if worrying.is_empty() { "every one holds".to_owned() } else { survey::tally_words(&worrying) };
-        (all > 0).then(|| format!("{}Of {all} verdicts: {rest}.", line.unwrap_or_default()))
+        let line = line.map(|line| format!("{} fails where: {}. ", self.scheme, line.trim_end_matches('.')));
+        let judged: Vec<(Outcome, usize)> = survey::tally(records.verdicts.iter())
+            .into_iter()
+            .filter(|(outcome, _)| *outcome != Outcome::NotApplicable)
+            .collect();
+        let all: usize = judged.iter().map(|(_, count)| count).sum();
+        let holding =
+            judged.iter().find(|(outcome, _)| *outcome == Outcome::Pass).map_or(0, |(_, count)| *count);
+        let others: Vec<(Outcome, usize)> =
+            judged.into_iter().filter(|(outcome, _)| outcome.needs_attention()).collect();
+        let rest = if holding == all {
+            "all of them hold".to_owned()
+        } else {
+            format!("{holding} hold; the others: {}", survey::tally_words(&others))
+        };
+        (all > 0)
+            .then(|| format!("{}{all} claims of all schemes were judged: {rest}.", line.unwrap_or_default()))
     }
 
     /// By wins: which scheme needs the fewest evaluations in most scenes. Without forces the exact motion is known, and nothing beats it.
@@ -147,13 +162,19 @@ impl Subject<'_> {
             let wins = |name: &str| winners.iter().filter(|other| *other == name).count();
             let best = winners.iter().max_by_key(|name| wins(name))?;
             let power = number::superscript(error);
-            Some(format!("{best} for 10{power} rad ({} of {} scenes)", wins(best), winners.len()))
+            Some((best.clone(), format!("10{power} rad (in {} of {} scenes)", wins(best), winners.len())))
         };
-        let clauses: Vec<String> = ERRORS.into_iter().filter_map(clause).collect();
-        (!clauses.is_empty()).then(|| {
+        let clauses: Vec<(String, String)> = ERRORS.into_iter().filter_map(clause).collect();
+        let best = survey::distinct(clauses.iter().map(|(best, _)| best.as_str()));
+        let of = |name: &&str| {
+            let own = clauses.iter().filter(|(best, _)| best == name).map(|(_, words)| words.as_str());
+            format!("{name} for {}", own.collect::<Vec<_>>().join(", "))
+        };
+        let words: Vec<String> = best.iter().map(of).collect();
+        (!words.is_empty()).then(|| {
             format!(
                 "Under forces the fewest evaluations for an orientation error, in most scenes: {}.",
-                clauses.join(", ")
+                words.join("; ")
             )
         })
     }

@@ -15,7 +15,7 @@ use crate::record::{ClaimName, Machine, Records, Verdict};
 
 use super::engines;
 use super::number;
-use super::plot::Subject;
+use super::plot::{Group, Subject};
 use super::published;
 use super::ranking::Work;
 use super::survey::{self, Outcome};
@@ -24,6 +24,8 @@ use super::survey::{self, Outcome};
 pub(super) struct Figure {
     /// What it shows.
     pub subject: Subject,
+    /// The PNG in base 64, where it stands in the page itself.
+    pub data: Option<String>,
 }
 
 /// The whole report.
@@ -36,7 +38,6 @@ pub(super) struct Page {
     verdict_count: usize,
     tally: Vec<Count>,
     findings: Vec<String>,
-    attention: Vec<VerdictRow>,
     reasons: Vec<reasons::Reason>,
     broken_runs: Vec<tables::BrokenRun>,
     schemes: Vec<tables::Scheme>,
@@ -69,8 +70,12 @@ struct Count {
 pub(super) struct FigureView {
     file: String,
     caption: String,
+    /// What a link to it says.
+    word: &'static str,
     /// Whether it shows errors of runs.
     errors: bool,
+    /// The PNG in base 64, where it is no file.
+    data: Option<String>,
 }
 
 /// A verdict in print.
@@ -133,7 +138,6 @@ pub(super) fn compose(records: &Records, main: &Records, figures: &[Figure]) -> 
         verdict_count: records.verdicts.len(),
         tally: tally(records),
         findings: findings::findings(records, main),
-        attention: attention(records.verdicts.iter()),
         reasons: reasons::reasons(&records.verdicts),
         broken_runs: tables::broken_runs(records),
         schemes: records.schemes.iter().map(|row| tables::Scheme::new(records, row)).collect(),
@@ -161,7 +165,7 @@ pub(super) fn compose(records: &Records, main: &Records, figures: &[Figure]) -> 
             "Cost of a step against the mass points of the body, and of a campaign against its cells.",
         ),
         precision: precision::Precision::new(main, figures),
-        stability: stability::Section::new(main),
+        stability: stability::Section::new(main, figures),
         scenes: survey::scenes(records)
             .into_iter()
             .map(|name| scene::Scene::new(main, figures, name, rankings::Ranking::new(records, name)))
@@ -190,9 +194,20 @@ fn cheapest(figures: &[Figure]) -> Vec<FigureView> {
 }
 
 pub(super) fn figure(figures: &[Figure], subject: &Subject, caption: &str) -> Option<FigureView> {
-    figures.iter().find(|figure| figure.subject == *subject)?;
+    let drawn = figures.iter().find(|figure| figure.subject == *subject)?;
     let errors = matches!(subject, Subject::Convergence(_) | Subject::WorkPrecision(..));
-    Some(FigureView { file: subject.file_name(), caption: caption.into(), errors })
+    let (file, data) = (subject.file_name(), drawn.data.clone());
+    Some(FigureView { file, caption: caption.into(), word: word(subject), errors, data })
+}
+
+fn word(subject: &Subject) -> &'static str {
+    match subject {
+        Subject::Convergence(_) => "errors",
+        Subject::Invariants(_) => "against time",
+        Subject::WorkPrecision(_, _, Group::Rotation) => "cost of the rotation",
+        Subject::WorkPrecision(..) => "cost of the position",
+        _ => "picture",
+    }
 }
 
 pub(super) fn machine_words(machine: &Machine) -> String {

@@ -4,11 +4,15 @@ use serde::Serialize;
 
 use crate::record::Records;
 use crate::record::stability::{LimitStatus, Meaning, Stability};
+use crate::report::plot::Subject;
 use crate::report::{number, survey};
+
+use super::{Figure, FigureView, figure};
 
 /// The section.
 #[derive(Serialize)]
 pub(super) struct Section {
+    growth: Option<FigureView>,
     linear: Vec<Linear>,
     rows: Vec<Row>,
 }
@@ -34,11 +38,14 @@ struct Row {
     failure: String,
 }
 
+const GROWTH: &str = "Growth a step of a small displacement of the spring-held body, over step and damping: zero is white, the white line is \
+                      linear theory, the dashed one what was measured.";
+
 const MEANINGS: [Meaning; 3] = [Meaning::Bounded, Meaning::Energy, Meaning::Orientation];
 
 impl Section {
     /// Of the schemes and scenes of these records; `None` where none of them is on record.
-    pub(super) fn new(main: &Records) -> Option<Section> {
+    pub(super) fn new(main: &Records, figures: &[Figure]) -> Option<Section> {
         let study = Stability::built_in();
         let schemes = survey::schemes(main);
         let scenes = survey::scenes(main);
@@ -67,7 +74,8 @@ impl Section {
                 failure: row.failure.clone().unwrap_or_default(),
             })
             .collect();
-        (!linear.is_empty() || !rows.is_empty()).then_some(Section { linear, rows })
+        let growth = figure(figures, &Subject::Growth, GROWTH);
+        (!linear.is_empty() || !rows.is_empty()).then_some(Section { growth, linear, rows })
     }
 }
 

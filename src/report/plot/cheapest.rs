@@ -5,7 +5,7 @@ use crate::report::ranking::{self, Ladder, Work};
 use crate::report::{number, survey};
 
 use super::axis::Axis;
-use super::colour_map::viridis;
+use super::colour_map::{luma, viridis};
 use super::palette::{GRID, INK, SOFT};
 use super::panel::{self, Frame};
 use super::sketch::{Anchor, Sketch, Type};
@@ -23,6 +23,8 @@ const LEAST: f64 = 1000.0;
 const HEAD: f64 = 60.0;
 /// The decades of error, log₁₀.
 const DECADES: [i32; 11] = [-1, -2, -3, -4, -5, -6, -7, -8, -9, -10, -11];
+/// Lightness above which dark words have more contrast than white ones.
+const HALF: f64 = 110.0;
 /// Scenes in the picture, at most.
 const MOST_SCENES: usize = 3;
 
@@ -164,10 +166,10 @@ fn draw_cell(sketch: &mut Sketch, cell: Frame, cheapest: Cheapest, scale: &Axis)
         sketch.text(number::NONE, (x, y), Anchor::Middle, Type::plain(26.0, SOFT));
         return;
     };
-    // Cheap is light. The dark half of the map takes white words.
-    let part = 1.0 - scale.part(cost);
-    sketch.area(cell.low(), cell.high(), viridis(0.15 + 0.85 * part));
-    let ink = if part > 0.5 { INK } else { super::palette::OVER };
+    // Cheap is light. Dark cells take white words.
+    let ground = viridis(0.15 + 0.85 * (1.0 - scale.part(cost)));
+    sketch.area(cell.low(), cell.high(), ground);
+    let ink = if luma(ground) > HALF { INK } else { super::palette::OVER };
     let name = Type::plain(22.0, ink);
     let lines = broken(scheme, &name, cell.right - cell.left - 12.0);
     let leading = 26.0;
@@ -185,14 +187,20 @@ fn draw_cell(sketch: &mut Sketch, cell: Frame, cheapest: Cheapest, scale: &Axis)
     );
 }
 
-/// A name broken at its hyphens into lines of a width.
+/// A name broken at its hyphens into lines of a width, no line of a letter or two.
 fn broken(name: &str, face: &Type, room: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for part in name.split_inclusive('-') {
         match lines.last_mut() {
             Some(line) if face.width(&format!("{line}{part}")) <= room => line.push_str(part),
+            Some(line) if part.chars().count() < 3 => {
+                let tail = line.trim_end_matches('-').rfind('-').map_or(0, |hyphen| hyphen + 1);
+                let moved = line.split_off(tail);
+                lines.push(moved + part);
+            }
             _ => lines.push(part.to_owned()),
         }
     }
+    lines.retain(|line| !line.is_empty());
     lines
 }

@@ -35,6 +35,11 @@ pub(super) fn diverging(part: f64) -> RGBColor {
     mix(WHITE, if part < 0.5 { COLOURS[0] } else { COLOURS[1] }, away)
 }
 
+/// Luma of ITU-R BT.601: how light a colour is, of 255.
+pub(super) fn luma(RGBColor(red, green, blue): RGBColor) -> f64 {
+    0.299 * f64::from(red) + 0.587 * f64::from(green) + 0.114 * f64::from(blue)
+}
+
 fn mix(from: RGBColor, to: RGBColor, part: f64) -> RGBColor {
     let channel = |a: u8, b: u8| (f64::from(a) + part * (f64::from(b) - f64::from(a))).round() as u8;
     RGBColor(channel(from.0, to.0), channel(from.1, to.1), channel(from.2, to.2))
@@ -43,11 +48,6 @@ fn mix(from: RGBColor, to: RGBColor, part: f64) -> RGBColor {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// Luma of ITU-R BT.601.
-    fn luma(RGBColor(red, green, blue): RGBColor) -> f64 {
-        0.299 * f64::from(red) + 0.587 * f64::from(green) + 0.114 * f64::from(blue)
-    }
 
     #[test]
     fn lightness_rises_all_the_way() {

@@ -2,9 +2,10 @@
 
 use std::collections::HashMap;
 
-/// Colours of a picture, of the 256 that a byte can name: a dozen and three mixtures of each with white along edges, and greys of letters. Fewer
-/// compress better.
-const MOST: usize = 64;
+/// Colours of a chart: two pixels in a byte make it a third smaller than 64 colours, and the eye sees no difference.
+pub(super) const FEW: usize = 16;
+/// Colours of a table whose cells have many: fewer compress better than the 256 that a byte can name.
+const MANY: usize = 64;
 /// Pixels whose colour is not among them, at the most; where more are not, the picture is a map of many colours.
 const REST: f64 = 0.1;
 
@@ -18,32 +19,45 @@ pub(super) struct Named {
 
 type Colour = [u8; 3];
 
-/// The pixels by number: the most frequent colours themselves, each rare one as the nearest of them. `None` where too many are rare.
+/// The pixels by number, of few colours where they are enough. `None` where many are not.
 pub(super) fn named(pixels: &[u8]) -> Option<Named> {
     let (all, _) = pixels.as_chunks::<3>();
     let mut counts: HashMap<Colour, usize> = HashMap::new();
     all.iter().for_each(|colour| *counts.entry(*colour).or_default() += 1);
-    let mut by_count: Vec<(Colour, usize)> = counts.into_iter().collect();
-    by_count.sort_by_key(|(colour, count)| (std::cmp::Reverse(*count), *colour));
-    let (kept, rare) = by_count.split_at(by_count.len().min(MOST));
-    let rest: usize = rare.iter().map(|(_, count)| count).sum();
-    if rest as f64 > REST * all.len() as f64 {
-        return None;
-    }
-    let mut numbers: HashMap<Colour, u8> =
-        kept.iter().enumerate().map(|(number, (colour, _))| (*colour, number as u8)).collect();
-    for (colour, _) in rare {
-        let nearest = kept.iter().enumerate().min_by_key(|(_, (other, _))| distance(colour, other));
-        numbers.insert(*colour, nearest.map_or(0, |(number, _)| number as u8));
-    }
-    Some(Named {
-        palette: kept.iter().flat_map(|(colour, _)| *colour).collect(),
-        pixels: all.iter().map(|colour| numbers[colour]).collect(),
-    })
+    let mut colours: Vec<(Colour, usize)> = counts.into_iter().collect();
+    colours.sort_by_key(|(colour, count)| (std::cmp::Reverse(*count), *colour));
+    let covers = |most: &usize| {
+        let kept: usize = colours.iter().take(*most).map(|(_, count)| count).sum();
+        kept as f64 >= (1.0 - REST) * all.len() as f64
+    };
+    let (palette, numbers) = chosen(&colours, [FEW, MANY].into_iter().find(covers)?)?;
+    let numbers: HashMap<Colour, u8> = colours.iter().map(|(colour, _)| *colour).zip(numbers).collect();
+    Some(Named { palette: palette.concat(), pixels: all.iter().map(|colour| numbers[colour]).collect() })
 }
 
-fn distance(a: &Colour, b: &Colour) -> i32 {
-    a.iter().zip(b).map(|(a, b)| (i32::from(*a) - i32::from(*b)).pow(2)).sum()
+/// So many of the colours, and the number of the nearest for each. Each in turn is the one that is missed the most: by its pixels times its
+/// squared distance from those before.
+fn chosen(colours: &[(Colour, usize)], most: usize) -> Option<(Vec<Colour>, Vec<u8>)> {
+    let mut palette = vec![colours.first()?.0];
+    let mut nearest: Vec<(i64, u8)> =
+        colours.iter().map(|(own, _)| (distance(own, &palette[0]), 0)).collect();
+    while palette.len() < most {
+        let missed = |index: &usize| nearest[*index].0 * colours[*index].1 as i64;
+        let worst = (0..colours.len()).max_by_key(missed)?;
+        if missed(&worst) == 0 {
+            break;
+        }
+        let (number, chosen) = (palette.len() as u8, colours[worst].0);
+        palette.push(chosen);
+        for ((own, _), near) in colours.iter().zip(&mut nearest) {
+            *near = (*near).min((distance(own, &chosen), number));
+        }
+    }
+    Some((palette, nearest.into_iter().map(|(_, number)| number).collect()))
+}
+
+fn distance(a: &Colour, b: &Colour) -> i64 {
+    a.iter().zip(b).map(|(a, b)| (i64::from(*a) - i64::from(*b)).pow(2)).sum()
 }
 
 #[cfg(test)]
@@ -53,8 +67,8 @@ mod tests {
     #[test]
     fn a_frequent_colour_is_kept_and_a_rare_one_becomes_the_nearest() {
         let mut pixels = Vec::new();
-        for level in 0..MOST as u8 {
-            (0..100).for_each(|_| pixels.extend([2 * level, 0, 0]));
+        for level in 0..FEW as u8 {
+            (0..100).for_each(|_| pixels.extend([10 * level, 0, 0]));
         }
         pixels.extend([100, 1, 0]);
         let named = named(&pixels).expect("as many colours and one more");
@@ -62,9 +76,9 @@ mod tests {
             let number = usize::from(named.pixels[index]);
             &named.palette[3 * number..3 * number + 3]
         };
-        assert_eq!(named.palette.len(), 3 * MOST);
+        assert_eq!(named.palette.len(), 3 * FEW);
         assert_eq!(colour(0), [0, 0, 0]);
-        assert_eq!(colour(100 * MOST), [100, 0, 0]);
+        assert_eq!(colour(100 * FEW), [100, 0, 0]);
     }
 
     #[test]

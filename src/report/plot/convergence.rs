@@ -19,7 +19,7 @@ const MARGIN: f64 = 30.0;
 pub(super) fn sketch(records: &Records, palette: &Palette, scene: &str) -> Option<Sketch> {
     let quantities = curves::at_the_end(records, scene);
     let (exact, mut drawn): (Vec<_>, Vec<_>) =
-        quantities.into_iter().filter(Quantity::has_a_line).partition(Quantity::is_exact);
+        quantities.into_iter().filter(|one| one.has_a_line() || one.is_exact()).partition(Quantity::is_exact);
     if drawn.is_empty() {
         return None;
     }

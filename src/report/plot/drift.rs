@@ -1,9 +1,10 @@
-//! How fast the rotational energy drifts, against the time step: a panel a scene, each on axes of its own:
-//! steps and rates go with the spin, and spins differ by sixteen powers of ten. Scenes whose energy changes by rounding alone are left out.
+//! How fast the rotational energy drifts, against the step: a panel a scene, step and rate in radians that the body turns, so that scenes of all
+//! time scales share their axes. What is rounding, or stays bounded, is no drift and is not drawn.
 
 use std::sync::Arc;
 
 use crate::record::{Drift, DriftClass, Measurement, Records};
+use crate::report::html::largest_spin;
 use crate::report::{number, survey};
 
 use super::axis::Axis;
@@ -15,13 +16,19 @@ use super::panel::{self, Frame, Panel};
 use super::sketch::{Anchor, Place, Sketch, Type};
 
 const METRIC: &str = "rotational-energy-drift-rate";
-const LEVEL: &str = "rotational-energy-drift-level";
 const QUANTITY: &str = "rotational-energy";
 const MARGIN: f64 = 30.0;
 const TOP: f64 = 160.0;
 /// Names of scenes over their panels.
 const NAME: Type = Type::bold(28.0, INK);
-const CELL: (f64, f64) = (660.0, 520.0);
+/// Size of a panel, and what stands beside and between panels: numbers of the axes, titles.
+const PANEL: (f64, f64) = (580.0, 400.0);
+const LEFT: f64 = 120.0;
+/// Width of the picture, at least.
+const LEAST: f64 = 2200.0;
+const HEAD: f64 = 60.0;
+const GAP: f64 = 24.0;
+const FOOT: f64 = 110.0;
 
 struct Drifting<'a> {
     scene: &'a str,
@@ -30,33 +37,53 @@ struct Drifting<'a> {
 
 /// The picture; `None` where no scene drifts.
 pub(super) fn sketch(records: &Records, palette: &Palette) -> Option<Sketch> {
-    let drifting = drifting(records);
+    let mut drifting = drifting(records);
     if drifting.is_empty() {
         return None;
     }
+    let in_radians = turn(records, &mut drifting);
     let columns = drifting.len().clamp(3, 4);
-    let grid = (columns, drifting.len().div_ceil(columns));
+    let rows = drifting.len().div_ceil(columns);
+    let (step, unit) = if in_radians { ("radians per step", "1/rad") } else { ("step h [s]", "1/s") };
     let entries = entries(palette);
-    let width = (CELL.0 * columns as f64 + 2.0 * MARGIN).max(1700.0);
+    let width = (LEFT + (PANEL.0 + GAP) * columns as f64 + 2.0 * MARGIN).max(LEAST);
     let strip = legend::height(&entries, width - 2.0 * MARGIN);
-    let body = (CELL.1 * grid.1 as f64).max(700.0);
-    let height = TOP + body + strip + 2.0 * MARGIN;
-    let mut sketch =
-        Sketch::new(width, height, "Drift rate of the rotational energy against the time step".into());
-    let subtitle =
-        "|relative drift rate| of the rotational energy [1/s] against the step, with its order in h";
-    panel::headline(&mut sketch, "Energy drift", subtitle);
-    let all = Frame { left: MARGIN, top: TOP, right: width - MARGIN, bottom: TOP + body };
+    let body = (PANEL.1 + HEAD) * rows as f64 + FOOT;
+    let mut sketch = Sketch::new(
+        width,
+        TOP + body + strip + 2.0 * MARGIN,
+        "Drift rate of the rotational energy against the time step".into(),
+    );
+    let subtitle = format!("|relative drift rate| of the rotational energy [{unit}], with its order in h");
+    panel::headline(&mut sketch, "Energy drift", &subtitle);
+    let (x, y) = axes(&drifting);
     for (index, one) in drifting.iter().enumerate() {
-        let frame = all.cell(grid, index).inside(104.0, 56.0, 10.0, 100.0);
-        let (x, y) = axes(one);
-        let panel = Panel { frame, x, y };
+        let left = MARGIN + LEFT + (PANEL.0 + GAP) * (index % columns) as f64;
+        let top = TOP + HEAD + (PANEL.1 + HEAD) * (index / columns) as f64;
+        let frame = Frame { left, top, right: left + PANEL.0, bottom: top + PANEL.1 };
+        let panel = Panel { frame, x: x.clone(), y: y.clone() };
         draw_panel(&mut sketch, records, palette, one, &panel);
-        panel.label_y(&mut sketch);
-        panel.label_x(&mut sketch, "step h [s]");
+        if index % columns == 0 {
+            panel.label_y(&mut sketch);
+        }
+        if index + columns >= drifting.len() {
+            panel.label_x(&mut sketch, step);
+        }
     }
-    legend::draw(&mut sketch, &entries, MARGIN + 20.0, height - strip - MARGIN / 2.0, width - 2.0 * MARGIN);
+    legend::draw(&mut sketch, &entries, MARGIN + 20.0, TOP + body + MARGIN, width - 2.0 * MARGIN);
     Some(sketch)
+}
+
+/// Steps and rates over the largest spin of each scene, so that they are radians; false where one is not known, and nothing is changed.
+fn turn(records: &Records, drifting: &mut [Drifting]) -> bool {
+    let spins: Option<Vec<f64>> = drifting.iter().map(|one| largest_spin(records, one.scene)).collect();
+    for (one, spin) in drifting.iter_mut().zip(spins.iter().flatten()) {
+        for rung in one.curves.iter_mut().flat_map(|curve| &mut curve.rungs) {
+            rung.step += spin.log10();
+            rung.error -= spin.log10();
+        }
+    }
+    spins.is_some()
 }
 
 fn entries(palette: &Palette) -> Vec<Entry> {
@@ -78,26 +105,25 @@ fn drifting(records: &Records) -> Vec<Drifting<'_>> {
         let curves: Vec<Curve> = schemes
             .iter()
             .map(|scheme| signed(curves::curve(scheme, &rows, None), &rows))
-            .filter(|curve| curve.rungs.len() > 1 && !is_exact(records, scene, curve.scheme))
+            .filter(|curve| curve.rungs.len() > 1 && drifts(records, scene, curve))
             .collect();
         (!curves.is_empty()).then_some(Drifting { scene, curves })
     };
     survey::scenes(records).into_iter().filter_map(one).collect()
 }
 
-/// Roundings of the energy that are still rounding.
-const FEW: f64 = 10.0;
-
-/// Whether what is left of a drift is rounding: in its class, or in the level that the energy moves by at every step.
-fn is_exact(records: &Records, scene: &str, scheme: &str) -> bool {
-    let level = |row: &&Measurement| row.scene == scene && row.scheme == scheme && row.metric == LEVEL;
-    let levels = || records.measurements.iter().map(Arc::as_ref).filter(level);
-    let small = |row: &Measurement| row.value.map(f64::abs) <= row.uncertainty.map(|rounding| FEW * rounding);
-    if levels().next().is_some() && levels().all(small) {
-        return true;
+/// Whether a curve is a drift: its class says so or, where none can be told, its rates have one sign and fall with the step, as roundings do not.
+fn drifts(records: &Records, scene: &str, curve: &Curve) -> bool {
+    let own = |row: &&Drift| row.scene == scene && row.scheme == curve.scheme && row.quantity == QUANTITY;
+    match records.drifts.iter().find(own).map(|row| row.class) {
+        Some(DriftClass::Exact | DriftClass::Bounded) => false,
+        Some(DriftClass::Secular | DriftClass::Growing) => true,
+        Some(DriftClass::Undecided) | None => {
+            let Some((finest, coarsest)) = curve.rungs.first().zip(curve.rungs.last()) else { return false };
+            let one_sign = curve.rungs.iter().all(|rung| rung.used == finest.used);
+            one_sign && finest.error < coarsest.error
+        }
     }
-    let exact = |row: &Drift| row.quantity == QUANTITY && row.class == DriftClass::Exact;
-    records.drifts.iter().any(|row| row.scene == scene && row.scheme == scheme && exact(row))
 }
 
 /// Keeps the rates that are larger than their uncertainty, and marks those that are positive as filled.
@@ -113,8 +139,9 @@ fn signed<'a>(mut curve: Curve<'a>, rows: &[&Measurement]) -> Curve<'a> {
 /// The part of a panel's width that is left free of curves for the orders.
 const FREE: f64 = 0.4;
 
-fn axes(one: &Drifting) -> (Axis, Axis) {
-    let rungs = || one.curves.iter().flat_map(|curve| &curve.rungs);
+/// The axes that hold the rates of all scenes.
+fn axes(drifting: &[Drifting]) -> (Axis, Axis) {
+    let rungs = || drifting.iter().flat_map(|one| &one.curves).flat_map(|curve| &curve.rungs);
     let (left, right) = bounds(&rungs().map(|rung| rung.step).collect::<Vec<_>>());
     let (low, high) = bounds(&rungs().map(|rung| rung.error).collect::<Vec<_>>());
     let room = (right - left).max(0.5) * FREE / (1.0 - FREE);

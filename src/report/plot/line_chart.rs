@@ -46,6 +46,8 @@ pub struct Line {
 }
 
 const WIDTH: f64 = 1800.0;
+/// Markers on a piece of a line, at the most.
+const MARKERS: usize = 40;
 const HEIGHT: f64 = 1240.0;
 const MARGIN: f64 = 30.0;
 
@@ -130,8 +132,9 @@ impl LinePanel {
             if places.len() > 1 {
                 sketch.stroke(places.clone(), look.ink, 4.0, look.dash);
             }
-            for place in places {
-                sketch.marker(look.marker, place, 8.0, look.ink, true);
+            // More would cover the line.
+            for place in places.iter().step_by(places.len().div_ceil(MARKERS).max(1)) {
+                sketch.marker(look.marker, *place, 8.0, look.ink, true);
             }
         }
         for (x, _) in line.points.iter().filter(|(_, value)| value.is_none()) {

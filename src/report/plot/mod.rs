@@ -39,6 +39,7 @@ use std::collections::HashSet;
 use crate::record::Records;
 
 use super::ranking::Work;
+use super::stability::side_by_side;
 use super::survey;
 use palette::Palette;
 pub(in crate::report) use raster::base64;
@@ -66,6 +67,8 @@ pub(super) enum Subject {
     Scaling,
     /// Errors in single and in double precision.
     Precision,
+    /// Growth of a small displacement over step and damping.
+    Growth,
     /// Errors of foreign programs and of schemes on one scene, against step and cost.
     Engines(String),
 }
@@ -74,6 +77,11 @@ impl Subject {
     /// File name inside the folder of plots.
     pub(super) fn file_name(&self) -> String {
         self.file_stem() + ".png"
+    }
+
+    /// Whether a page that holds all of a report shows it: those that tell the most, as far as its size allows.
+    pub(super) fn stands_for_a_page(&self) -> bool {
+        !matches!(self, Subject::Invariants(_) | Subject::WorkPrecision(..))
     }
 
     /// File name without its ending.
@@ -91,27 +99,24 @@ impl Subject {
             Subject::Cheapest(_) => "cheapest-by-evaluations".into(),
             Subject::Scaling => "scaling".into(),
             Subject::Precision => "precision".into(),
+            Subject::Growth => "growth".into(),
             Subject::Engines(scene) => format!("engines-{}", survey::file_stem(scene)),
         }
     }
 }
 
 /// A picture, laid out and ready to be drawn.
-pub(super) struct Picture {
-    /// What it shows.
-    pub subject: Subject,
-    sketch: Sketch,
-}
+pub(super) struct Picture(Sketch);
 
 impl Picture {
     /// The picture as PNG bytes.
     pub(super) fn png(&self) -> Result<Vec<u8>, Fault> {
-        render::png(&self.sketch)
+        render::png(&self.0)
     }
 
     /// The picture as an SVG element.
     pub(super) fn svg(&self) -> Result<String, Fault> {
-        vector::svg(&self.sketch)
+        vector::svg(&self.0)
     }
 }
 
@@ -156,6 +161,7 @@ pub(super) fn subjects(records: &Records) -> Vec<Subject> {
         Subject::Cheapest(Work::Evaluations),
         Subject::Scaling,
         Subject::Precision,
+        Subject::Growth,
     ];
     for scene in survey::scenes(records) {
         subjects.push(Subject::Convergence(scene.into()));
@@ -216,7 +222,8 @@ pub(super) fn lay_out(
         Subject::Cheapest(work) => cheapest::sketch(records, *work),
         Subject::Scaling => scaling::sketch(records),
         Subject::Precision => precision::sketch(main, &palette),
+        Subject::Growth => side_by_side(&main.maps).map(|maps| maps.checked()).transpose()?,
         Subject::Engines(scene) => engines::sketch(records, scene),
     };
-    Ok(sketch.map(|sketch| Picture { subject: subject.clone(), sketch }))
+    Ok(sketch.map(Picture))
 }

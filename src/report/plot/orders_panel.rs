@@ -7,7 +7,7 @@ use super::axis::Axis;
 use super::overview_panels::NAME;
 use super::palette::{BAND, GRID, Palette, SOFT, tint};
 use super::panel::{AXIS, Frame, Panel, TITLE, fitted};
-use super::sketch::{Anchor, Sketch};
+use super::sketch::{Anchor, Sketch, Type};
 
 /// How far a column of orders reaches to both sides of its claim.
 const REACH: f64 = 0.3;
@@ -15,6 +15,8 @@ const REACH: f64 = 0.3;
 const BAND_HALF: f64 = 0.15;
 /// Between two columns.
 const GAP: f64 = 12.0;
+/// The word in cells without an order.
+const EXACT: Type = Type::plain(24.0, SOFT);
 /// Room for the names of scenes.
 const NAME_ROOM: f64 = 580.0;
 
@@ -51,7 +53,7 @@ pub(super) fn draw(sketch: &mut Sketch, records: &Records, palette: &Palette, sh
     }
     let middle = (frame.left + frame.right) / 2.0;
     sketch.text(
-        "claimed order; the other one without torque",
+        "claimed order; two where it is another one without torque",
         (middle, frame.bottom + 74.0),
         Anchor::Middle,
         AXIS,
@@ -77,8 +79,23 @@ fn draw_cell(
     let claim =
         claim_in(records, scene, scheme).or(survey::claimed_order(records, scheme)).unwrap_or_default();
     let more = f64::from(claim) - (panel.x.low + panel.x.high) / 2.0;
+    if !orders.last().is_some_and(is_main) && is_exact(records, (scene, scheme, quantity)) {
+        write_exact(sketch, panel, y);
+    }
     for order in orders {
         draw_order(sketch, palette, (panel, y), (order, more), is_main(&order));
+    }
+}
+
+fn is_exact(records: &Records, (scene, scheme, quantity): (&str, &str, &str)) -> bool {
+    survey::order(records, scene, scheme, quantity).is_some_and(|order| order.status == OrderStatus::Exact)
+}
+
+/// The word where an error is rounding at every step, as far as a column has room for it.
+fn write_exact(sketch: &mut Sketch, panel: &Panel, y: f64) {
+    let Frame { left, right, .. } = panel.frame;
+    if EXACT.width("exact") < right - left {
+        sketch.text("exact", ((left + right) / 2.0, y), Anchor::Middle, EXACT);
     }
 }
 

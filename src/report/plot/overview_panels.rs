@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use crate::quantity::Quantity;
 use crate::record::{Measurement, Records};
+use crate::report::html::largest_spin;
 use crate::report::survey;
 
 use super::axis::Axis;
@@ -56,7 +56,7 @@ pub(super) fn draw_errors(
         }
     }
     panel.draw_frame(sketch);
-    panel.label_x(sketch, if spins.is_some() { "step h × largest Ω [rad]" } else { "step h [s]" });
+    panel.label_x(sketch, if spins.is_some() { "radians per step" } else { "step h [s]" });
     panel.label_y(sketch);
     panel.title(sketch, &title(records, shown.1, if few { "a line a scene" } else { typical }));
 }
@@ -75,12 +75,6 @@ fn axes(curves: &[Curve], frame: Frame) -> Panel {
     let (low, high) = bounds(&errors);
     let (x, y) = (Axis::logarithmic(left - 0.1, right + 0.1, 6), Axis::logarithmic(low - 0.5, high + 0.5, 8));
     Panel { frame, x, y }
-}
-
-/// The largest |Ω| of the reference [rad/s]; `None` without evidence, and where nothing turns.
-fn largest_spin(records: &Records, scene: &str) -> Option<f64> {
-    let own = records.evidence.iter().find(|evidence| evidence.scene == scene)?;
-    Some(own.ladder.sizes[Quantity::AngularVelocity]).filter(|spin| *spin > 0.0)
 }
 
 /// The ladders of every scheme; with the spins of the scenes their steps are in radians, so that scenes fall on one another.

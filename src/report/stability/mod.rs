@@ -14,6 +14,7 @@ use crate::record::{write_json, write_whole};
 use super::folder::Folder;
 use super::{ReportError, plot};
 
+pub(super) use pictures::side_by_side;
 pub use table::table;
 
 /// Writes `stability.json`, `stability.md` and the pictures into a folder.

@@ -6,6 +6,29 @@ use crate::record::stability::{Map, MapAxis};
 /// A map as a picture.
 pub(super) fn heat_map(map: &Map) -> HeatMap {
     let used = used_classes(map);
+    HeatMap {
+        title: map.title.clone(),
+        subtitle: format!("{} · {}", map.scheme, map.what),
+        description: format!("{} ({}): {}", map.title, map.scheme, map.what),
+        scale: if map.classes.is_empty() { numbers(map) } else { classes(map, &used) },
+        panels: vec![panel(map, &used)],
+    }
+}
+
+/// Maps of one name as a picture with a panel a scheme, all under one scale; `None` where there is no map.
+pub(in crate::report) fn side_by_side(maps: &[Map]) -> Option<HeatMap> {
+    let first = maps.first()?;
+    let one = |map: &Map| Panel { title: map.scheme.clone(), ..panel(map, &[]) };
+    Some(HeatMap {
+        title: first.title.clone(),
+        subtitle: format!("{}; blue dies away, red grows", first.what),
+        description: format!("{}: {}", first.title, first.what),
+        scale: numbers(first),
+        panels: maps.iter().map(one).collect(),
+    })
+}
+
+fn panel(map: &Map, used: &[usize]) -> Panel {
     let cell = |value: &Option<f64>| {
         let value = (*value)?;
         if map.classes.is_empty() {
@@ -13,19 +36,13 @@ pub(super) fn heat_map(map: &Map) -> HeatMap {
         }
         used.iter().position(|class| *class == value as usize).map(|index| index as f64)
     };
-    HeatMap {
-        title: map.title.clone(),
-        subtitle: format!("{} · {}", map.scheme, map.what),
-        description: format!("{} ({}): {}", map.title, map.scheme, map.what),
-        scale: if map.classes.is_empty() { numbers(map) } else { classes(map, &used) },
-        panels: vec![Panel {
-            title: String::new(),
-            across: range(&map.x),
-            up: range(&map.y),
-            columns: map.cells,
-            cells: map.values.iter().flatten().map(cell).collect(),
-            curves: map.curves.iter().map(curve).collect(),
-        }],
+    Panel {
+        title: String::new(),
+        across: range(&map.x),
+        up: range(&map.y),
+        columns: map.cells,
+        cells: map.values.iter().flatten().map(cell).collect(),
+        curves: map.curves.iter().map(curve).collect(),
     }
 }
 

@@ -172,7 +172,8 @@ impl HeatMap {
         Ok(vector::svg(&self.checked()?)?)
     }
 
-    fn checked(&self) -> Result<Sketch, DrawingError> {
+    /// The picture, laid out.
+    pub(in crate::report::plot) fn checked(&self) -> Result<Sketch, Fault> {
         super::font::register().map_err(|why| Fault(why.into()))?;
         self.panels.iter().try_for_each(Map::check).map_err(Fault)?;
         Ok(draw::sketch(self))

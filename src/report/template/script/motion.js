@@ -30,6 +30,8 @@ class Motion {
     this.truth = runs.find(own => own.name === "");
     this.runs = runs.filter(own => own.name !== "");
     this.frames = this.truth.turn.length - 1;
+    // A run whose steps are the states has nothing between them.
+    for (const own of this.runs) own.coarse = own.step > 0.99 * data.end / this.frames;
     // Seen from the side and above, z up.
     this.view = [0.9, 0.35];
     this.at = 0;
@@ -131,12 +133,18 @@ class Motion {
     requestAnimationFrame(frame);
   }
 
+  /** The state that is shown: of a coarse run the last that was computed, and no mixture of two. */
+  now() {
+    return this.run.coarse ? Math.floor(this.at) : this.at;
+  }
+
   /** The quaternion between two states. */
   turnAt(run) {
-    const from = Math.min(Math.floor(this.at), this.frames);
+    const at = this.now();
+    const from = Math.min(Math.floor(at), this.frames);
     const [a, b] = [run.turn[from], run.turn[Math.min(from + 1, this.frames)]];
     const sign = a.reduce((sum, value, n) => sum + value * b[n], 0) < 0 ? -1 : 1;
-    const part = this.at - from;
+    const part = at - from;
     const mixed = a.map((value, n) => value + part * (sign * b[n] - value));
     const length = Math.hypot(...mixed);
     return mixed.map(value => value / length);
@@ -166,7 +174,7 @@ class Motion {
     this.body();
     this.polhode();
     this.axis();
-    const time = this.data.end * this.at / this.frames;
+    const time = this.data.end * this.now() / this.frames;
     const [a, b] = [this.turnAt(this.run), this.turnAt(this.truth)];
     const cosine = Math.abs(a.reduce((sum, value, n) => sum + value * b[n], 0));
     const angle = 2 * Math.acos(Math.min(cosine, 1));
@@ -224,11 +232,13 @@ class Motion {
     pen.setLineDash([]);
   }
 
-  dot(pen, [x, y], colour) {
+  dot(pen, [x, y, depth], colour, radius = 5) {
+    pen.globalAlpha = depth < 0 ? 0.35 : 1;
     pen.fillStyle = colour;
     pen.beginPath();
-    pen.arc(x, y, 5, 0, 2 * Math.PI);
+    pen.arc(x, y, radius, 0, 2 * Math.PI);
     pen.fill();
+    pen.globalAlpha = 1;
   }
 
   /** Circles of latitude and longitude on an ellipsoid of these half axes. */
@@ -268,13 +278,14 @@ class Motion {
   /** What was passed of the truth and of the run, and where they are. */
   paths(pen, place, points) {
     const { ink } = this.inks();
-    const until = Math.max(Math.ceil(this.at), 0) + 1;
+    const until = Math.ceil(this.now()) + 1;
     const colour = polhode.shown(this.run.colour);
     const [truth, run] = [points(this.truth), points(this.run)];
     const shown = list => this.at > 0 ? list.slice(0, until) : list;
-    this.trace(pen, place, shown(run), colour, 2.5, false);
+    this.trace(pen, place, shown(run), colour, this.run.coarse ? 1 : 2.5, false);
+    if (this.run.coarse) for (const point of shown(run)) this.dot(pen, place(point), colour, 2);
     this.trace(pen, place, shown(truth), ink, 1.2, true);
-    const now = Math.min(Math.round(this.at), this.frames);
+    const now = Math.min(Math.round(this.now()), this.frames);
     this.dot(pen, place(truth[now]), ink);
     this.dot(pen, place(run[now]), colour);
   }

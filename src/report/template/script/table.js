@@ -71,7 +71,7 @@ function folded(part) {
     const heads = ["verdict", "scheme", "claim", "quantity", "measured", "detail"];
     const cell = (text, attributes = {}) => make("td", attributes, text);
     const body = rows.map(row => make("tr", {}, cell(row.outcome, { class: `badge ${row.class}` }), cell(row.scheme), cell(row.claim),
-      cell(row.quantity), cell(row.measured, { class: "number" }), cell(row.known ? `${row.detail} Known: ${row.known}` : row.detail)));
+      cell(row.quantity), cell(row.measured, { class: "n" }), cell(row.known ? `${row.detail} Known: ${row.known}` : row.detail)));
     const table = make("table", { class: "data" }, make("thead", {}, make("tr", {}, ...heads.map(head => make("th", { scope: "col" }, head)))),
       make("tbody", {}, ...body));
     box.replaceChildren(make("div", { class: "wide" }, table));
