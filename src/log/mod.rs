@@ -10,6 +10,7 @@ mod file;
 mod frames;
 mod layout;
 mod measure;
+mod recognise;
 mod row;
 mod said;
 mod series;

@@ -67,6 +67,9 @@ impl Judgement {
         if value.max > limit {
             return verdict(Ruling::Fail, largest, None);
         }
+        if self.span.1 == 0.0 {
+            return undecided(largest, "every row is at t = 0: nothing has moved".to_owned());
+        }
         if value.end.is_none() {
             return undecided(largest, format!("the last row has no {}", quantity.name()));
         }

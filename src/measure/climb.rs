@@ -83,7 +83,9 @@ pub fn climb_within(
         _ if system.steady_spin() => GIANT_STEPS.to_vec(),
         steps => steps.map(|steps| 3 * steps / 2 + 1).into_iter().collect(),
     };
-    climbed.ladder.odd = odd.into_iter().map(|steps| truth.odd(contestant, steps)).collect();
+    // A step across a jump of the laws says nothing of a scheme.
+    let odd = odd.into_iter().filter(|steps| ends_at_jumps(system, reference, *steps));
+    climbed.ladder.odd = odd.map(|steps| truth.odd(contestant, steps)).collect();
     if let Some(precise) = precise {
         climbed.precise = precise.climb(&climbed.ladder, &steps, order.unwrap_or_default());
         climbed.exactness = steps.first().and_then(|first| precise.exactness(&climbed.ladder, *first));
@@ -108,6 +110,18 @@ fn decisive(ladder: &record::Ladder) -> Option<u64> {
 fn phase(system: &System, reference: &Reference) -> f64 {
     let fastest = reference.states.iter().map(|s| rotation::length(&s.angular_velocity)).fold(0.0, f64::max);
     fastest.max(system.forces.fastest_clock()) * reference.times[reference.times.len() - 1]
+}
+
+/// Whether a run of so many steps ends one at each jump of the laws.
+fn ends_at_jumps(system: &System, reference: &Reference, steps: u64) -> bool {
+    let duration = reference.times[reference.times.len() - 1];
+    let off = |jump: f64| {
+        let step = jump / duration * steps as f64;
+        (step - step.round()).abs()
+    };
+    // A jump is a number of f64, and so is the place in the run.
+    let tiny = 4.0 * f64::EPSILON * steps as f64;
+    system.forces.pieces().iter().all(|(end, _)| *end >= duration || off(*end) <= tiny)
 }
 
 /// How often the duration is quartered down to the first turn.

@@ -160,6 +160,13 @@ files! {
     "water-molecule",
     "planet-free-nutation",
     "satellite-low-orbit",
+    "gyrostat",
+    "gyrostat-axial",
+    "damped-tumble",
+    "magnetic-satellite",
+    "satellite-circular-orbit",
+    "thruster-pulse",
+    "thruster-pulse-between-steps",
 }
 
 /// The stored solution of a built-in scene; `None` where there is none.

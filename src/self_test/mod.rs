@@ -204,6 +204,20 @@ mod tests {
         assert_eq!(words("HalfAngleIn5"), "half angle in 5");
     }
 
+    /// The others take minutes: `tests/slow`.
+    #[test]
+    fn two_gates_catch_each_defect_of_wheels_damping_pulses_and_orbits() {
+        let scenes =
+            ["gyrostat", "damped-tumble", "magnetic-satellite", "thruster-pulse", "satellite-circular-orbit"];
+        let all = defects();
+        let own = all.iter().filter(|defect| defect.place == "law" && scenes.contains(&defect.scenes[0]));
+        let outcomes: Vec<Outcome> = own.map(look_for).collect();
+        assert_eq!(outcomes.len(), 14);
+        for outcome in outcomes {
+            assert!(outcome.caught_by.len() >= ENOUGH, "{outcome:?}");
+        }
+    }
+
     #[test]
     fn there_are_eighty_defects_and_each_is_named_once() {
         let names: BTreeSet<String> = defects().into_iter().map(|defect| defect.name).collect();

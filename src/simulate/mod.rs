@@ -192,11 +192,16 @@ struct Stepper<'a, S, M: Model> {
 }
 
 impl<'a, S: Stepping<Counted<'a, M>>, M: Model> Stepper<'a, S, M> {
-    /// Takes the model that holds from a step on, and returns the step that it ends before.
+    /// Takes the model that holds from a step on, and returns the step that it ends before. Rates that a scheme remembers are those
+    /// before the jump: there it starts as a run does.
     fn enter(&mut self, n: u64) -> u64 {
-        let Some((end, model)) = self.pieces.iter().find(|(end, _)| n < *end) else { return u64::MAX };
+        let Some(place) = self.pieces.iter().position(|(end, _)| n < *end) else { return u64::MAX };
+        if self.pieces[..place].last().is_some_and(|(before, _)| *before == n) {
+            self.work.history.clear();
+        }
+        let (end, model) = self.pieces[place];
         self.model.switch(model);
-        *end
+        end
     }
 
     /// Steps with one model.

@@ -208,6 +208,8 @@ fn a_file_that_is_no_trajectory_is_65_with_its_line_and_one_that_is_not_there_74
     let one = judge_in(SCENE, &(header.clone() + "\n" + whole.lines().nth(1).expect("a row") + "\n"), &[]);
     assert_eq!(code(&one.output), 0);
     assert!(one.said().contains("there is one row"), "{}", one.said());
+    let start = header.clone() + "\n" + whole.lines().nth(1).expect("a row") + "\n";
+    assert_eq!(code(&judge_in(SCENE, &start, &["--tolerance", "1"]).output), 2);
     let cut = judge_in(SCENE, &whole[..whole.len() - 150], &[]);
     assert_eq!(code(&cut.output), 0, "{}", cut.said());
     assert!(cut.said().contains("is cut"), "{}", cut.said());

@@ -56,6 +56,8 @@ fn formats_of_many_programs_are_read() {
         // Drake.
         "time,box_qw,box_qx,box_qy,box_qz,box_x,box_y,box_z,box_wx,box_wy,box_wz,box_vx,box_vy,box_vz\n\
          0,1,0,0,0,0,0,0,0,0,1,0,0,0\n0.5,COS,0,0,SIN,0,0,0,0,0,1,0,0,0\n",
+        "time,$world_body_qw,$world_body_qx,$world_body_qy,$world_body_qz,$world_body_x,$world_body_y,$world_body_z,body_wx,body_wy,body_wz\n\
+         0,1,0,0,0,0,0,0,0,0,1\n0.5,COS,0,0,SIN,0,0,0,0,0,1\n",
         // ROS.
         "%time,field.pose.orientation.x,field.pose.orientation.y,field.pose.orientation.z,field.pose.orientation.w\n\
          1564567273000000000,0,0,0,1\n1564567273500000000,0,0,SIN,COS\n",
@@ -72,6 +74,17 @@ fn formats_of_many_programs_are_read() {
             "{log}\n{judgement:?}"
         );
     }
+}
+
+/// Drake's columns are named after the body, and its angular velocities are in world axes.
+#[test]
+fn drake_names_columns_after_the_body() {
+    let judgement = judged(
+        "time,$world_body_qw,$world_body_qx,$world_body_qy,$world_body_qz,$world_body_x,$world_body_y,$world_body_z,body_wx,body_wy,body_wz\n\
+         0,1,0,0,0,0,0,0,0,0,1\n0.5,COS,0,0,SIN,0,0,0,0,0,1\n",
+    );
+    assert!(passes(&judgement, Quantity::BodyPoint), "{judgement:?}");
+    assert!(!judgement.declared.spin_in_body_axes);
 }
 
 #[test]

@@ -27,8 +27,12 @@ const SPEEDS: [(f64, &str); 6] = [
 ];
 const SPINS: [(f64, &str); 3] =
     [(PI / 180.0, "degrees per second"), (PI / 30.0, "turns per minute"), (2.0 * PI, "turns per second")];
-const TIMES: [(f64, &str); 4] =
-    [(1e-3, "milliseconds"), (1e-6, "microseconds"), (1e-9, "nanoseconds"), (60.0, "minutes")];
+const TIMES: [(f64, &str); 4] = [
+    (1e-3, "milliseconds: --time-unit ms"),
+    (1e-6, "microseconds: --time-unit us"),
+    (1e-9, "nanoseconds: --time-unit ns"),
+    (60.0, "minutes: --time-unit min"),
+];
 
 pub(super) fn tried(case: &Case) -> Vec<Tried> {
     let mut tried = Vec::new();
@@ -67,7 +71,7 @@ fn units(case: &Case, tried: &mut Vec<Tried>) {
     }
     for (unit, name) in TIMES {
         let left = case.at_times(Parts::of(&Part::ALL), |place| Some(case.row(place).time() * unit));
-        tried.push(Tried { change: Change::Unit, words: format!("times are in {name}: --time-unit"), left });
+        tried.push(Tried { change: Change::Unit, words: format!("times are in {name}"), left });
     }
 }
 
