@@ -35,12 +35,8 @@ const MOST_STEPS_OTHERWISE: u64 = 1_000_000;
 const MOST_STEPS_UNASKED: u64 = 100_000;
 /// Most steps of all runs in double-double together.
 const MOST_PRECISE_STEPS: u64 = 400_000;
-/// Change of the energy, over the energy, from which on a run has gone elsewhere: its step is too large for its rate to mean anything.
-const WILD: f64 = 1.0;
-/// Energy over the most that L allows from which on it grows without bound. (That of a thin body may be ten thousand times the first.)
-const WAY_PAST: f64 = 10.0;
-/// A rate counts as clear at so many times its uncertainty.
-const SEEN: f64 = 3.0;
+/// A rate counts as clear at so many times its uncertainty: three rates show an uncertainty as well as three copies a rounding.
+const SEEN: f64 = CLEAR * BELOW;
 /// Samples of a run.
 const SAMPLES: u64 = 512;
 /// Difference of two moments, over the largest, below which they are one.
@@ -49,7 +45,8 @@ const ONE_MOMENT: f64 = 1e-9;
 /// Whether there is no rate but that of rounding, or what the averages leave of an oscillation that has not gone elsewhere.
 fn is_flat(rung: &EnergyRung, long: f64) -> bool {
     let oscillates =
-        rung.level < WILD && rung.rate.abs() <= SEEN * rung.uncertainty && is_bounded(rung, long);
+        // A change as large as the energy is that of a run whose step is too large for its rate to mean anything.
+        rung.level < 1.0 && rung.rate.abs() <= SEEN * rung.uncertainty && is_bounded(rung, long);
     rung.rate.abs() * long <= rung.rounding / BELOW || oscillates
 }
 
@@ -116,7 +113,8 @@ pub fn energy_drift(contestant: &Contestant, system: &System, duration: f64) -> 
         .all(|rung| is_bounded(rung, long));
     drift.class = match rate_order(&drift) {
         _ if drift.rungs.iter().all(|rung| rung.level <= rung.rounding / BELOW) => DriftClass::Exact,
-        _ if finest.of_largest > WAY_PAST => DriftClass::Growing,
+        // That of a thin body may be ten thousand times the first.
+        _ if BELOW * finest.of_largest > 1.0 => DriftClass::Growing,
         _ if bounded => DriftClass::Bounded,
         Decision::Order(_) => DriftClass::Secular,
         _ => DriftClass::Undecided,

@@ -1,8 +1,8 @@
 //! The verifier verified: defects are planted, and each must turn a gate red; a faithful copy of the scheme must stay green.
 //!
 //! A defect stands in the scheme (a copy of it on mass points, in plain loops), in a force law, in the start of a run, in what a run
-//! shows of its state, in the reference, in a metric, in what is claimed, or in the judge of orders. It is judged in scene after scene until two gates have caught
-//! it.
+//! shows of its state, in the reference, in a metric, in what is claimed, or in the judge of orders. It is judged in scene after scene, against
+//! what the right scheme has on record there, until two gates have caught it.
 
 mod beyond_f64;
 mod copy;
@@ -19,11 +19,12 @@ mod promised;
 pub mod random;
 mod trial;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
+use crate::gates::Baseline;
 use crate::interrupt;
 use crate::record::{Ruling, Verdict};
 use flaw::Flaw;
@@ -136,13 +137,14 @@ pub fn run(progress: &(dyn Fn(usize, usize) + Sync)) -> Findings {
     let done = AtomicUsize::new(0);
     let tick = || progress(done.fetch_add(1, Ordering::Relaxed) + 1, defects.len() + 1);
     let judges = judges::WRONG_JUDGES.iter().map(told_judge);
-    let held_against_the_copy = held_against_the_copy();
+    let on_record = on_record(&defects);
+    let held_against_the_copy = held_against_the_copy(&on_record);
     tick();
     let outcomes = defects
         .par_iter()
         .filter(|_| !interrupt::requested())
         .map(|defect| {
-            let outcome = look_for(defect);
+            let outcome = look_for(defect, &on_record);
             tick();
             outcome
         })
@@ -161,17 +163,30 @@ fn told_judge(judge: &judges::WrongJudge) -> Outcome {
     }
 }
 
-fn held_against_the_copy() -> Vec<String> {
+/// What the right schemes have on record, by scene.
+fn on_record(defects: &[Defect]) -> BTreeMap<&'static str, Baseline> {
+    let mut schemes: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
+    for defect in defects {
+        for scene in defect.scenes {
+            schemes.entry(scene).or_default().insert(defect.plant.scheme());
+        }
+    }
+    let schemes: Vec<_> = schemes.into_iter().filter(|_| !interrupt::requested()).collect();
+    schemes.into_par_iter().map(|(scene, schemes)| (scene, trial::on_record(scene, &schemes))).collect()
+}
+
+fn held_against_the_copy(on_record: &BTreeMap<&str, Baseline>) -> Vec<String> {
     let not_green = |v: &Verdict| !matches!(v.verdict, Ruling::Pass | Ruling::NotApplicable);
     SCENES
         .par_iter()
-        .flat_map(|scene| judge(copy::contestant(Flaw::None), scene))
+        .filter_map(|scene| Some(judge(copy::contestant(Flaw::None), scene, on_record.get(scene)?)))
+        .flatten()
         .filter(|verdict| not_green(verdict) && verdict.known_deviation.is_none())
         .map(|v| format!("{} {} {}: {}", v.scene, v.claim, v.quantity, v.detail))
         .collect()
 }
 
-fn look_for(defect: &Defect) -> Outcome {
+fn look_for(defect: &Defect, on_record: &BTreeMap<&str, Baseline>) -> Outcome {
     let mut outcome = Outcome {
         name: defect.name.clone(),
         place: defect.place,
@@ -179,7 +194,8 @@ fn look_for(defect: &Defect) -> Outcome {
         scenes: Vec::new(),
     };
     for scene in defect.scenes {
-        let red: Vec<String> = verdicts(&defect.plant, scene)
+        let Some(baseline) = on_record.get(scene) else { continue };
+        let red: Vec<String> = verdicts(&defect.plant, scene, baseline)
             .into_iter()
             .filter(|v| matches!(v.verdict, Ruling::Fail | Ruling::Broken) && v.known_deviation.is_none())
             .map(|verdict| verdict.claim.to_string())

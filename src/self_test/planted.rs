@@ -8,6 +8,7 @@ use crate::model::forces::{Forces, Law, OrbitingDipole, TorqueAxes, TorquePulse}
 use crate::model::{PerQuantity, Snapshot, System};
 use crate::reference::Reference;
 use crate::rotation;
+use crate::schemes::{PeskinRk2, Scheme};
 use crate::simulate::Contestant;
 
 /// How a defect is planted.
@@ -29,6 +30,16 @@ pub(super) enum Plant {
     Reference(fn(&mut Reference)),
     /// Errors are measured wrongly.
     Metric(Measure),
+}
+
+impl Plant {
+    /// Name of the scheme that it pretends to be.
+    pub fn scheme(&self) -> &'static str {
+        match self {
+            Plant::Other(contestant) => contestant().card.name,
+            _ => PeskinRk2.card().name,
+        }
+    }
 }
 
 /// Error vectors of a run, measured wrongly.

@@ -1,5 +1,7 @@
 //! A defect planted in a scene, and what the gates say of it.
 
+use std::collections::BTreeSet;
+
 use super::planted::{self, Plant};
 use super::{copy, measured};
 use crate::campaign::{self, Campaign};
@@ -16,8 +18,18 @@ use crate::simulate::Contestant;
 /// Samples of a reference.
 const SAMPLES: usize = 64;
 
-/// The verdicts on a defect in a scene.
-pub(super) fn verdicts(plant: &Plant, scene: &str) -> Vec<Verdict> {
+/// What right schemes have on record in a scene, as `bless` writes it.
+pub(super) fn on_record(scene: &str, schemes: &BTreeSet<&str>) -> Baseline {
+    let right = Contestant::all().into_iter().filter(|contestant| schemes.contains(contestant.card.name));
+    Scene::find(scene).map_or_else(
+        |_| Baseline::default(),
+        |scene| Baseline::from_records(&Campaign::of(vec![scene], right.collect()).run()),
+    )
+}
+
+/// The verdicts on a defect in a scene, against what is on record.
+pub(super) fn verdicts(plant: &Plant, scene: &str, baseline: &Baseline) -> Vec<Verdict> {
+    let judge = |contestant, scene| judge(contestant, scene, baseline);
     match *plant {
         Plant::Scheme(flaw) => judge(copy::contestant(flaw), scene),
         Plant::Other(contestant) => judge(contestant(), scene),
@@ -32,8 +44,8 @@ pub(super) fn verdicts(plant: &Plant, scene: &str) -> Vec<Verdict> {
         }
         Plant::Shown(change) => judge(bent(System::clone, change), scene),
         Plant::Claims(name, claims) => judge(claiming(name, claims), scene),
-        Plant::Reference(change) => judge_against(change, None, scene),
-        Plant::Metric(measure) => judge_against(|_| (), Some(measure), scene),
+        Plant::Reference(change) => judge_against(change, None, (scene, baseline)),
+        Plant::Metric(measure) => judge_against(|_| (), Some(measure), (scene, baseline)),
     }
 }
 
@@ -63,13 +75,18 @@ fn claiming(name: &str, claims: &'static [Claim]) -> Contestant {
 }
 
 /// The verdicts on a contestant in a scene.
-pub(super) fn judge(contestant: Contestant, scene: &str) -> Vec<Verdict> {
+pub(super) fn judge(contestant: Contestant, scene: &str, baseline: &Baseline) -> Vec<Verdict> {
     let Ok(scene) = Scene::find(scene) else { return Vec::new() };
-    Campaign::of(vec![scene], vec![contestant]).run().verdicts
+    let campaign = Campaign::of(vec![scene], vec![contestant]);
+    Campaign { baseline: baseline.clone(), ..campaign }.run().verdicts
 }
 
 /// The scheme against a reference that is wrong, or with errors that are measured wrongly.
-fn judge_against(change: fn(&mut Reference), measure: Option<planted::Measure>, scene: &str) -> Vec<Verdict> {
+fn judge_against(
+    change: fn(&mut Reference),
+    measure: Option<planted::Measure>,
+    (scene, baseline): (&str, &Baseline),
+) -> Vec<Verdict> {
     let Ok(scene) = Scene::find(scene) else { return Vec::new() };
     let stored = stored::find(&scene.name).ok().flatten();
     let Ok(mut reference) = Reference::of(&scene.system, scene.duration, SAMPLES, stored.as_ref()) else {
@@ -82,5 +99,5 @@ fn judge_against(change: fn(&mut Reference), measure: Option<planted::Measure>, 
         Some(measure) => measured::mismeasured(&contestant, &scene.system, &reference, &climbed, measure),
         None => climbed.ladder,
     };
-    gates::judge(&Evidence { ladder, ..campaign::unmeasured(&scene, &contestant) }, &Baseline::built_in())
+    gates::judge(&Evidence { ladder, ..campaign::unmeasured(&scene, &contestant) }, baseline)
 }
