@@ -5,7 +5,7 @@ use super::{at_most, ruled};
 use crate::claim::EnergyOfFreeBody;
 use crate::measure::drift::rate_order;
 use crate::measure::{BELOW, Decision, Doubt};
-use crate::record::{ClaimName, DriftClass, EnergyDrift, Evidence, Ruling, Verdict};
+use crate::record::{ClaimName, DriftClass, EnergyDrift, Evidence, Rule, Ruling, Verdict};
 
 /// Name of the rate's order.
 pub(super) const RATE: &str = "rotational-energy-rate";
@@ -99,11 +99,12 @@ fn judge_rate(evidence: &Evidence, drift: &EnergyDrift, claimed: u32, grows: boo
             Verdict { measured: Some(found.slope), low: Some(low), high: Some(high), ..rule(ruling, detail) }
         }
         (class, decision) => {
-            let why = match decision {
+            let (rule_name, why) = match decision {
                 Decision::Undecided(Doubt::NotAsymptotic { order, least }) => {
-                    format!("r falls for no order (the least is {least:.2}, for order {order})")
+                    let why = format!("r falls for no order (the least is {least:.2}, for order {order})");
+                    (Rule::NotAsymptotic, why)
                 }
-                _ => "fewer than four rates stand clear of what they may be wrong by".to_owned(),
+                _ => (Rule::Rounding, "fewer than four rates are larger than their uncertainty".to_owned()),
             };
             let finest = &drift.rungs[drift.rungs.len() - 1];
             let detail = format!(
@@ -113,7 +114,7 @@ fn judge_rate(evidence: &Evidence, drift: &EnergyDrift, claimed: u32, grows: boo
                 finest.rate,
                 finest.uncertainty
             );
-            rule(Ruling::Inconclusive, detail)
+            rule(Ruling::Inconclusive, detail).by(rule_name)
         }
     }
 }

@@ -3,7 +3,7 @@
 
 use super::{SOLVED_TO, left_by_solves, ruled, times};
 use crate::measure::CLEAR;
-use crate::record::{ClaimName, Evidence, OtherWorld, Ruling, Verdict};
+use crate::record::{ClaimName, Evidence, OtherWorld, Rule, Ruling, Verdict};
 
 pub(super) fn judge(evidence: &Evidence) -> Vec<Verdict> {
     if evidence.other_worlds.is_empty() {
@@ -39,5 +39,6 @@ fn judge_world(evidence: &Evidence, world: &OtherWorld) -> Verdict {
             times(of_rounding)
         )
     };
-    Verdict { measured: Some(of_rounding), low: Some(0.0), high: Some(bound), ..rule(ruling, detail) }
+    let ruled = rule(ruling, detail).undecided_by(Rule::Solves);
+    Verdict { measured: Some(of_rounding), low: Some(0.0), high: Some(bound), ..ruled }
 }

@@ -4,7 +4,7 @@
 use super::{applies, at_most, ruled, walk};
 use crate::claim::{Quantity, When};
 use crate::measure::{Asked, Decision, Doubt, Run, decide};
-use crate::record::{ClaimName, Evidence, PointRun, Ruling, Verdict, length};
+use crate::record::{ClaimName, Evidence, PointRun, Rule, Ruling, Verdict, length};
 
 /// Relative change of L that n steps of the point form may leave: the rounding of L + h τ in each, and that of
 /// Σ X̃_k × F_k.
@@ -70,5 +70,6 @@ fn judge_ladder(evidence: &Evidence, quantity: Quantity) -> Verdict {
     let detail = format!(
         "largest error of the ladder {error:.2e} {unit}, its rounding allows {floor:.2e} {unit}{remark}{beside}"
     );
-    Verdict { measured: Some(error), low: Some(0.0), high: Some(floor), ..rule(ruling, detail) }
+    let ruled = rule(ruling, detail).undecided_by(Rule::Open);
+    Verdict { measured: Some(error), low: Some(0.0), high: Some(floor), ..ruled }
 }

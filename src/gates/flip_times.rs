@@ -6,7 +6,7 @@
 use super::ruled;
 use crate::measure::flips::{COUNTED, flip_order, is_complete};
 use crate::measure::{Decision, Doubt};
-use crate::record::{ClaimName, Evidence, Ruling, Verdict};
+use crate::record::{ClaimName, Evidence, Rule, Ruling, Verdict};
 
 pub(super) fn judge(evidence: &Evidence) -> Verdict {
     let rule = |ruling, detail: String| ruled(evidence, ClaimName::FlipTimes, "flip-times", ruling, detail);
@@ -26,7 +26,7 @@ pub(super) fn judge(evidence: &Evidence) -> Verdict {
         let detail = format!(
             "{truth} flips in truth: roundings grow until they decide when the body flips; a shorter run would decide it"
         );
-        return rule(Ruling::Inconclusive, detail);
+        return rule(Ruling::Inconclusive, detail).by(Rule::Open);
     }
     if !complete {
         let counts: Vec<usize> = fine.iter().map(|rung| rung.times.len()).collect();
@@ -35,8 +35,8 @@ pub(super) fn judge(evidence: &Evidence) -> Verdict {
         let settled = counts.windows(2).last().is_some_and(|pair| pair[0] == pair[1]);
         let wrong = fine.last().is_none_or(|rung| !is_complete(flips, rung));
         return match settled && wrong {
-            true => rule(Ruling::Fail, detail),
-            false => rule(Ruling::Inconclusive, format!("{detail}: smaller steps would decide it")),
+            true => rule(Ruling::Fail, detail).by(Rule::FlipCount),
+            false => rule(Ruling::Inconclusive, format!("{detail}: smaller steps would decide it")).by(Rule::FlipCount),
         };
     }
     if truth == 0 {
@@ -55,10 +55,11 @@ pub(super) fn judge(evidence: &Evidence) -> Verdict {
             Verdict { measured: Some(found.slope), low: Some(low), high: Some(high), ..rule(ruling, detail) }
         }
         Decision::Elsewhere { error, .. } => {
-            rule(Ruling::Fail, format!("{truth} flips: times off by {error:.2e} s however small the step"))
+            rule(Ruling::Fail, format!("{truth} flips: times off by {error:.2e} s however small the step")).by(Rule::Elsewhere)
         }
         Decision::Undecided(doubt) => {
-            rule(Ruling::Inconclusive, format!("{truth} flips: {}", super::order::doubted(&doubt)))
+            let detail = format!("{truth} flips: {}", super::order::doubted(&doubt));
+            rule(Ruling::Inconclusive, detail).by(super::order::rule_of(&doubt))
         }
     }
 }

@@ -7,7 +7,7 @@
 use super::ruled;
 use crate::measure::{Asked, BELOW, FEWEST, Run, slope};
 use crate::model::Quantity;
-use crate::record::{ClaimName, Evidence, Ruling, Rung, Verdict, length};
+use crate::record::{ClaimName, Evidence, Rule, Ruling, Rung, Verdict, length};
 
 /// The band of the slope.
 const BAND: (f64, f64) = (0.5, 1.5);
@@ -56,7 +56,7 @@ fn judge_quantity(evidence: &Evidence, quantity: Quantity, power: u32) -> Verdic
             clear.len(),
             rungs.len()
         );
-        return rule(Ruling::Inconclusive, detail);
+        return rule(Ruling::Inconclusive, detail).by(Rule::FewRuns);
     }
     let slope = slope(&clear);
     let ruling = if (BAND.0..=BAND.1).contains(&slope) { Ruling::Pass } else { Ruling::Fail };

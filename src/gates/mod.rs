@@ -97,6 +97,7 @@ fn ruled(
         claim,
         quantity: quantity.to_owned(),
         verdict,
+        rule: claim.word().into(),
         detail: detail.into(),
         ..Verdict::default()
     }

@@ -14,7 +14,7 @@ use crate::measure::{
     Asked, BELOW, Decision, Doubt, GIANT_STEPS, HIGHEST, Order, Run, decide_either, start_allows,
 };
 use crate::model::Quantity;
-use crate::record::{ClaimName, Evidence, Ruling, Rung, Verdict, length};
+use crate::record::{ClaimName, Evidence, Rule, Ruling, Rung, Verdict, length};
 
 /// Least fall of an error from one run to the next, over what its order explains, that is named: three orders more.
 const NAMED: f64 = 8.0;
@@ -70,7 +70,8 @@ pub(super) fn judge(evidence: &Evidence, baseline: &Baseline) -> Vec<Verdict> {
     if evidence.program && evidence.order() == 0 && evidence.setting.not_for_order.is_none() {
         let detail =
             "the program claims no order, so none was judged: --order P says which one to hold it to";
-        verdicts.push(ruled(evidence, ClaimName::Order, "all", Ruling::Inconclusive, detail));
+        let verdict = ruled(evidence, ClaimName::Order, "all", Ruling::Inconclusive, detail);
+        verdicts.push(verdict.by(Rule::NoClaim));
     }
     verdicts
 }
@@ -85,7 +86,7 @@ fn all_broke(evidence: &Evidence) -> Option<Verdict> {
     let why = finest.broken.as_deref()?;
     let detail = format!("{why}, at the finest step of {:.1e} s", finest.step);
     Some(if finest.unsolved {
-        broken(Ruling::Inconclusive, format!("{detail}: a smaller step would decide it"))
+        broken(Ruling::Inconclusive, format!("{detail}: a smaller step would decide it")).by(Rule::NotSolved)
     } else {
         broken(Ruling::Broken, detail)
     })
@@ -119,14 +120,14 @@ fn judge_convergence(evidence: &Evidence, quantity: Quantity, decision: &Decisio
     let rule = |ruling, detail| ruled(evidence, ClaimName::Converges, quantity.name(), ruling, detail);
     match decision {
         Decision::Order(found) => rule(Ruling::Pass, words(found)),
-        Decision::Exact => rule(Ruling::Pass, "every error is at its rounding".to_owned()),
-        Decision::Undecided(doubt) => rule(Ruling::NotApplicable, doubted(doubt)),
+        Decision::Exact => rule(Ruling::Pass, "every error is at its rounding".to_owned()).by(Rule::AtRounding),
+        Decision::Undecided(doubt) => rule(Ruling::NotApplicable, doubted(doubt)).by(rule_of(doubt)),
         Decision::Elsewhere { error, step, .. } if within_a_step(evidence, quantity, *error, *step) => {
             let unit = quantity.unit();
             let detail = format!(
                 "the error stays at {error:.1e} {unit}, no more than a kink of a force makes that is missed for a step"
             );
-            rule(Ruling::NotApplicable, detail)
+            rule(Ruling::NotApplicable, detail).by(Rule::Kink)
         }
         Decision::Elsewhere { error, apart, step, until } => {
             let unit = quantity.unit();
@@ -136,7 +137,7 @@ fn judge_convergence(evidence: &Evidence, quantity: Quantity, decision: &Decisio
                 "the error stays at {error:.4} {unit} however small the step: another motion is solved (the two finest runs differ \
                  by {apart:.1e} {unit}, h = {step:.1e} s, up to t = {until} s)"
             );
-            Verdict { measured: Some(*error), low: Some(0.0), ..rule(ruling, detail) }
+            Verdict { measured: Some(*error), low: Some(0.0), ..rule(ruling, detail).by(Rule::Elsewhere) }
         }
     }
 }
@@ -177,7 +178,7 @@ fn judge_jump(evidence: &Evidence, quantity: Quantity, decision: Option<&Decisio
     );
     Some(Verdict {
         measured: fall.is_finite().then_some(fall),
-        ..ruled(evidence, ClaimName::Converges, quantity.name(), ruling, detail)
+        ..ruled(evidence, ClaimName::Converges, quantity.name(), ruling, detail).by(Rule::Jump)
     })
 }
 
@@ -188,14 +189,14 @@ fn judge_order(evidence: &Evidence, quantity: Quantity, decision: &Decision) -> 
     if claimed == 0 || !smooth || promised_exact(evidence, quantity) {
         return None;
     }
-    let rule = |ruling, detail| Some(ruled(evidence, ClaimName::Order, quantity.name(), ruling, detail));
+    let rule = |ruling, detail| ruled(evidence, ClaimName::Order, quantity.name(), ruling, detail);
     match decision {
         Decision::Elsewhere { .. } => None,
-        Decision::Exact => rule(
-            Ruling::NotApplicable,
-            "every error is at its rounding: there is no order to measure".to_owned(),
-        ),
-        Decision::Undecided(doubt) => rule(Ruling::Inconclusive, doubted(doubt)),
+        Decision::Exact => {
+            let detail = "every error is at its rounding: there is no order to measure".to_owned();
+            Some(rule(Ruling::NotApplicable, detail).by(Rule::AtRounding))
+        }
+        Decision::Undecided(doubt) => Some(rule(Ruling::Inconclusive, doubted(doubt)).by(rule_of(doubt))),
         Decision::Order(found) => {
             let (ruling, remark) = match found.order.cmp(&claimed) {
                 std::cmp::Ordering::Less => (Ruling::Fail, format!("{claimed} claimed: ")),
@@ -203,7 +204,7 @@ fn judge_order(evidence: &Evidence, quantity: Quantity, decision: &Decision) -> 
                 std::cmp::Ordering::Greater => (Ruling::Pass, format!("easy scene, {claimed} claimed: ")),
             };
             let (low, high) = found.bounds();
-            let verdict = rule(ruling, remark + &words(found))?;
+            let verdict = rule(ruling, remark + &words(found));
             Some(Verdict { measured: Some(found.slope), low: Some(low), high: Some(high), ..verdict })
         }
     }
@@ -216,7 +217,7 @@ fn judge_generic(evidence: &Evidence, least: Option<u32>) -> Option<Verdict> {
     let detail = format!(
         "order {least} in every quantity of a generic scene, {claimed} claimed: the claim is too low"
     );
-    let verdict = ruled(evidence, ClaimName::Order, "all", Ruling::Fail, detail);
+    let verdict = ruled(evidence, ClaimName::Order, "all", Ruling::Fail, detail).by(Rule::Generic);
     Some(Verdict { measured: Some(f64::from(least)), high: Some(f64::from(claimed)), ..verdict })
 }
 
@@ -265,7 +266,7 @@ fn judge_odd(evidence: &Evidence, quantity: Quantity, decision: &Decision) -> Op
         "in {} steps, an odd number, the error at the end is {error:.2e} {unit}, which the runs of even numbers do not explain",
         rung.steps
     );
-    let verdict = ruled(evidence, ClaimName::Converges, quantity.name(), Ruling::Fail, detail);
+    let verdict = ruled(evidence, ClaimName::Converges, quantity.name(), Ruling::Fail, detail).by(Rule::Odd);
     Some(Verdict { measured: Some(error), ..verdict })
 }
 
@@ -274,6 +275,16 @@ fn words(found: &Order) -> String {
     format!(
         "order {order}: slope {slope:.3}, r = {r:.3} over {rungs} rungs down to h = {step:.1e} s, up to t = {until} s"
     )
+}
+
+/// The rule that leaves a quantity undecided.
+pub(super) fn rule_of(doubt: &Doubt) -> Rule {
+    match doubt {
+        Doubt::FewRuns { .. } => Rule::FewRuns,
+        Doubt::Rounding { .. } => Rule::Rounding,
+        Doubt::NotAsymptotic { .. } => Rule::NotAsymptotic,
+        Doubt::Open { .. } => Rule::Open,
+    }
 }
 
 /// Why nothing is decided, and what would decide it.

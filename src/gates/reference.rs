@@ -1,6 +1,6 @@
 //! Whether the sources of a reference agree well enough to judge by.
 
-use crate::record::{ClaimName, ReferenceEvidence, Ruling, Verdict};
+use crate::record::{ClaimName, ReferenceEvidence, Rule, Ruling, Verdict};
 
 /// Uncertainty over the size of a quantity from which a reference no longer decides anything.
 const TOO_UNCERTAIN: f64 = 1e-6;
@@ -12,11 +12,12 @@ pub fn judge_reference(evidence: &ReferenceEvidence) -> Verdict {
         scheme: "reference".to_owned(),
         claim: ClaimName::ReferencesAgree,
         quantity: "all".to_owned(),
+        rule: ClaimName::ReferencesAgree.word().into(),
         ..Verdict::default()
     };
     if let Some(error) = &evidence.missing {
         let detail = format!("no reference solution, so nothing was judged in this scene: {error}");
-        return Verdict { verdict: Ruling::Inconclusive, detail, ..verdict };
+        return Verdict { verdict: Ruling::Inconclusive, detail, ..verdict }.by(Rule::NoReference);
     }
     let (quantity, worst) = match evidence.worst {
         Some((quantity, worst)) => (quantity.name(), worst),

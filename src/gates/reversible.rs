@@ -3,7 +3,7 @@
 
 use super::{SOLVED_TO, left_by_solves, ruled, times};
 use crate::measure::{BELOW, CLEAR};
-use crate::record::{ClaimName, Evidence, Ruling, Verdict};
+use crate::record::{ClaimName, Evidence, Rule, Ruling, Verdict};
 
 pub(super) fn judge(evidence: &Evidence) -> Verdict {
     let rule =
@@ -22,7 +22,7 @@ pub(super) fn judge(evidence: &Evidence) -> Verdict {
             "{} steps of {:.3e} s there and back: such steps make {:.1e} rad of a rounding, too much to see where they return to",
             reversal.steps, reversal.step, reversal.open
         );
-        return rule(Ruling::Inconclusive, &detail);
+        return rule(Ruling::Inconclusive, &detail).by(Rule::Open);
     }
     let left = left_by_solves(reversal.solves, reversal.steps);
     let (verdict, named) = if of_rounding <= CLEAR {
@@ -41,5 +41,6 @@ pub(super) fn judge(evidence: &Evidence) -> Verdict {
         quantity.unit(),
         times(of_rounding)
     );
-    Verdict { measured: Some(of_rounding), low: Some(0.0), high: Some(CLEAR), ..rule(verdict, &detail) }
+    let ruled = rule(verdict, &detail).undecided_by(Rule::Solves);
+    Verdict { measured: Some(of_rounding), low: Some(0.0), high: Some(CLEAR), ..ruled }
 }

@@ -141,6 +141,7 @@ impl Judgement {
             claim: ClaimName::Frames,
             quantity: "angular-velocity".to_owned(),
             verdict,
+            rule: ClaimName::Frames.word().into(),
             detail: self.frames_in_words(),
             ..record::Verdict::default()
         }

@@ -22,6 +22,7 @@ mod place;
 mod precision;
 mod provenance;
 mod published;
+mod rule;
 mod subjects;
 #[cfg(feature = "cli")]
 mod tables;
@@ -50,6 +51,7 @@ pub(crate) use place::{is_own_baseline, is_own_json, try_place};
 pub use precision::{GrowsAs, Growth, PrecisionRow, PrecisionRun, Reach};
 pub use provenance::Provenance;
 pub use published::{Agreement, PublishedRow, Sureness, last_digit};
+pub use rule::Rule;
 pub use subjects::{ReferenceRow, SceneRow, SchemeRow};
 #[cfg(feature = "cli")]
 pub use tables::{BRIEF_CSV_FILES, CSV_FILES, write_brief_csv, write_csv, write_json};

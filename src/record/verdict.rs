@@ -1,7 +1,10 @@
 //! What was judged.
 
+use std::borrow::Cow;
+
 use serde::{Deserialize, Serialize};
 
+use super::Rule;
 use crate::claim::ClaimName;
 use crate::words::words;
 
@@ -35,6 +38,9 @@ pub struct Verdict {
     pub quantity: String,
     /// The ruling.
     pub verdict: Ruling,
+    /// Name of the rule that made it: a [`Rule`], or the claim where that has one rule.
+    #[serde(default)]
+    pub rule: Cow<'static, str>,
     /// What was measured.
     pub measured: Option<f64>,
     /// Lower end of its uncertainty.
@@ -46,4 +52,16 @@ pub struct Verdict {
     /// Reason why this failure is known and does not fail the gate, if it is.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub known_deviation: Option<String>,
+}
+
+impl Verdict {
+    /// Names the rule that made it.
+    pub(crate) fn by(self, rule: Rule) -> Verdict {
+        Verdict { rule: Cow::Borrowed(rule.word()), ..self }
+    }
+
+    /// Names the rule that leaves it undecided, where it is.
+    pub(crate) fn undecided_by(self, rule: Rule) -> Verdict {
+        if self.verdict == Ruling::Inconclusive { self.by(rule) } else { self }
+    }
 }

@@ -9,7 +9,7 @@ use super::{Failure, select};
 use crate::measure;
 use crate::model::Quantity;
 use crate::model::forces::Law;
-use crate::record::ClaimName;
+use crate::record::{ClaimName, Rule};
 use crate::scenes;
 use crate::simulate::Contestant;
 
@@ -144,7 +144,11 @@ fn metrics(name: Option<&str>, format: Format) -> Result<String, Failure> {
 
 /// The claims of every scheme; with a name those of this kind.
 fn claims(name: Option<&str>, format: Format) -> Result<String, Failure> {
-    let known = ClaimName::ALL.map(ClaimName::word);
+    if let Some(rule) = Rule::ALL.into_iter().find(|rule| Some(rule.word()) == name) {
+        return Ok(format!("{rule}: {}\n", rule.explained()));
+    }
+    let rules = Rule::ALL.into_iter().map(Rule::word);
+    let known: Vec<&str> = ClaimName::ALL.into_iter().map(ClaimName::word).chain(rules).collect();
     if let Some(name) = name.filter(|name| !known.contains(name)) {
         return Err(unknown("claim", name, &known));
     }
