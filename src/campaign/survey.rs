@@ -21,7 +21,7 @@ const EVERY_SCHEME: [&str; 3] = ["free-asymmetric", "heavy-asymmetric-top", "tet
 
 /// Cells along either axis of a map of growth.
 #[cfg(feature = "cli")]
-const CELLS: usize = 48;
+const CELLS: usize = 32;
 
 /// What a survey covers.
 ///
