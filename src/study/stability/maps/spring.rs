@@ -89,7 +89,8 @@ pub(super) fn measured_damping(contestant: &Contestant, cells: usize) -> Option<
 fn add_edge(map: &mut Map, title: &str) {
     map.title = title.to_owned();
     map.edge = Some(0.0);
-    map.curves.push(measured_edge(map, NO_GROWTH));
+    let measured = measured_edge(map, NO_GROWTH);
+    map.curves.push(measured);
 }
 
 fn add_theory(map: &mut Map, theory: impl Fn(f64) -> Option<f64>) {
