@@ -63,7 +63,7 @@ pub(super) fn damping(contestant: &Contestant, cells: usize) -> Option<Map> {
     Some(map)
 }
 
-/// The map of step and damping without its theory, which takes a hundred times as long as the cells.
+/// The map of step and damping without its theory, which takes far longer than its cells.
 pub(super) fn measured_damping(contestant: &Contestant, cells: usize) -> Option<Map> {
     let one = bench(STIFFNESS, DAMPING)?;
     contestant.refusal(&one.system).is_none().then_some(())?;
