@@ -21,7 +21,7 @@ const EVERY_SCHEME: [&str; 3] = ["free-asymmetric", "heavy-asymmetric-top", "tet
 
 /// Cells along either axis of a map of growth.
 #[cfg(feature = "cli")]
-const CELLS: usize = 48;
+const CELLS: usize = 32;
 
 /// What a survey covers.
 ///
@@ -193,8 +193,8 @@ impl Survey<'_> {
     #[cfg(feature = "cli")]
     fn add_growth(&self, records: &mut Records) {
         if self.growth {
-            let map = |one: &Contestant| stability::map("spring-damping", one, CELLS);
-            records.maps = self.main().par_iter().filter_map(map).map(Map::rounded).collect();
+            let map = |one: &Contestant| stability::growth(one, CELLS).map(Map::rounded);
+            records.maps = self.main().par_iter().filter_map(map).collect();
         }
     }
 

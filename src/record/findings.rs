@@ -114,8 +114,8 @@ pub struct Order {
     pub rungs_used: usize,
     /// Runs left out: at rounding, before the asymptotic range, or broken.
     pub rungs_dropped: usize,
-    /// The steps of the runs that decide it [s].
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    /// The steps of the runs that decide it [s], in files the first one and their number where each is half of the one before.
+    #[serde(default, skip_serializing_if = "Vec::is_empty", with = "halved")]
     pub steps_used_s: Vec<f64>,
     /// Errors below this do not count at the finest step: rounding and the uncertainty of the truth, in `unit`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -191,6 +191,45 @@ pub struct Series {
     pub value: Vec<f64>,
 }
 
+/// Steps, each half of the one before: a division by two is exact.
+mod halved {
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    #[derive(Serialize, Deserialize)]
+    #[serde(untagged)]
+    enum Steps {
+        Halved { from: f64, runs: usize },
+        Listed(Vec<f64>),
+    }
+
+    fn steps(from: f64, runs: usize) -> Vec<f64> {
+        std::iter::successors(Some(from), |step| Some(step / 2.0)).take(runs).collect()
+    }
+
+    pub fn serialize<S: Serializer>(listed: &[f64], serializer: S) -> Result<S::Ok, S::Error> {
+        if let [from, _, ..] = *listed
+            && steps(from, listed.len()) == listed
+        {
+            return Steps::Halved { from, runs: listed.len() }.serialize(serializer);
+        }
+        listed.serialize(serializer)
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<f64>, D::Error> {
+        Ok(match Steps::deserialize(deserializer)? {
+            // A number of runs that no ladder has would take all memory.
+            Steps::Halved { runs, .. } if runs > super::MOST_RUNS => {
+                return Err(serde::de::Error::custom("more steps than a ladder has"));
+            }
+            Steps::Halved { from, runs } => steps(from, runs),
+            Steps::Listed(listed) => listed,
+        })
+    }
+}
+
+/// Runs of a ladder in a file, at the most.
+const MOST_RUNS: usize = 64;
+
 /// Digits of a time in a series.
 pub(crate) const TIME_DIGITS: usize = 7;
 
@@ -226,5 +265,25 @@ pub(super) mod even {
             Times::Even { to, intervals } => times(to, intervals),
             Times::Listed(listed) => listed,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Order;
+
+    #[test]
+    fn steps_that_halve_are_written_as_two_numbers_and_others_one_by_one() {
+        let order = |steps: &[f64]| Order { steps_used_s: steps.to_vec(), ..Order::default() };
+        for (steps, words) in [
+            (&[0.3, 0.15, 0.075][..], r#""steps_used_s":{"from":0.3,"runs":3}"#),
+            (&[0.3, 0.1], r#""steps_used_s":[0.3,0.1]"#),
+            (&[0.3], r#""steps_used_s":[0.3]"#),
+        ] {
+            let text = serde_json::to_string(&order(steps)).expect("JSON");
+            assert!(text.contains(words), "{text}");
+            assert_eq!(serde_json::from_str::<Order>(&text).expect("an order"), order(steps));
+        }
+        assert!(!serde_json::to_string(&order(&[])).expect("JSON").contains("steps_used_s"));
     }
 }

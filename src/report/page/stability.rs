@@ -38,8 +38,8 @@ struct Row {
     failure: String,
 }
 
-const GROWTH: &str = "Growth a step of a small displacement of the spring-held body, over step and damping: zero is white, the white line is \
-                      linear theory, the dashed one what was measured.";
+const GROWTH: &str = "Growth a step of a small displacement of the spring-held body, over step and damping: zero is white, and it begins to \
+                      grow at the dashed line.";
 
 const MEANINGS: [Meaning; 3] = [Meaning::Bounded, Meaning::Energy, Meaning::Orientation];
 

@@ -2,12 +2,17 @@
 
 use std::collections::HashMap;
 
+use super::palette::COLOURS;
+
 /// Colours of a chart: two pixels in a byte make it a third smaller than 64 colours, and the eye sees no difference.
 pub(super) const FEW: usize = 16;
 /// Colours of a table whose cells have many: fewer compress better than the 256 that a byte can name.
 const MANY: usize = 64;
 /// Pixels whose colour is not among them, at the most; where more are not, the picture is a map of many colours.
 const REST: f64 = 0.1;
+
+/// Squared distance that no two colours have.
+const FAR: i64 = 1 << 20;
 
 /// Pixels as numbers of colours.
 pub(super) struct Named {
@@ -35,23 +40,26 @@ pub(super) fn named(pixels: &[u8]) -> Option<Named> {
     Some(Named { palette: palette.concat(), pixels: all.iter().map(|colour| numbers[colour]).collect() })
 }
 
-/// So many of the colours, and the number of the nearest for each. Each in turn is the one that is missed the most: by its pixels times its
-/// squared distance from those before.
+/// So many of the colours, and the number of the nearest for each. The most frequent one and those of schemes come first, however few pixels they
+/// have; each other in turn is the one that is missed the most: by its pixels times the fourth power of its distance from those before, since an
+/// eye forgives many pixels that are a little off.
 fn chosen(colours: &[(Colour, usize)], most: usize) -> Option<(Vec<Colour>, Vec<u8>)> {
-    let mut palette = vec![colours.first()?.0];
-    let mut nearest: Vec<(i64, u8)> =
-        colours.iter().map(|(own, _)| (distance(own, &palette[0]), 0)).collect();
-    while palette.len() < most {
-        let missed = |index: &usize| nearest[*index].0 * colours[*index].1 as i64;
-        let worst = (0..colours.len()).max_by_key(missed)?;
-        if missed(&worst) == 0 {
-            break;
-        }
-        let (number, chosen) = (palette.len() as u8, colours[worst].0);
+    let of_a_scheme = |colour: &Colour| COLOURS.iter().any(|ink| [ink.0, ink.1, ink.2] == *colour);
+    let first = colours.first()?.0;
+    let mut wanted =
+        colours.iter().map(|(colour, _)| *colour).filter(|one| *one != first && of_a_scheme(one));
+    let mut palette: Vec<Colour> = Vec::new();
+    let mut nearest = vec![(FAR, 0); colours.len()];
+    let mut next = Some(first);
+    while let Some(chosen) = next.filter(|_| palette.len() < most) {
+        let number = palette.len() as u8;
         palette.push(chosen);
         for ((own, _), near) in colours.iter().zip(&mut nearest) {
             *near = (*near).min((distance(own, &chosen), number));
         }
+        let missed = |index: &usize| nearest[*index].0.pow(2) * colours[*index].1 as i64;
+        let worst = (0..colours.len()).max_by_key(missed).filter(|worst| missed(worst) > 0);
+        next = wanted.next().or(worst.map(|worst| colours[worst].0));
     }
     Some((palette, nearest.into_iter().map(|(_, number)| number).collect()))
 }
@@ -79,6 +87,18 @@ mod tests {
         assert_eq!(named.palette.len(), 3 * FEW);
         assert_eq!(colour(0), [0, 0, 0]);
         assert_eq!(colour(100 * FEW), [100, 0, 0]);
+    }
+
+    #[test]
+    fn the_colour_of_a_scheme_is_kept_however_few_pixels_it_has() {
+        let green = [COLOURS[2].0, COLOURS[2].1, COLOURS[2].2];
+        let mut pixels: Vec<u8> = green.to_vec();
+        for level in 0..FEW as u8 {
+            (0..1000).for_each(|_| pixels.extend([16 * level, 16 * level, 255]));
+        }
+        let named = named(&pixels).expect("few colours");
+        let number = usize::from(named.pixels[0]);
+        assert_eq!(named.palette[3 * number..3 * number + 3], green);
     }
 
     #[test]

@@ -75,7 +75,8 @@ fn draw_floor(sketch: &mut Sketch, panel: &Panel, quantity: &Quantity) {
     } else {
         let level = number::joined(&number::significant(10f64.powf(floor), 1), quantity.unit);
         let words = format!("↓ floor {level}");
-        sketch.text(&words, (right - 16.0, bottom - 36.0), Anchor::End, TICK);
+        // Under the frame, where nothing else is drawn: inside it stand curves and slopes.
+        sketch.text(&words, (right, bottom + 72.0), Anchor::End, TICK);
     }
 }
 

@@ -90,7 +90,11 @@ fn subtitle(records: &Records, scenes: &[&str]) -> String {
         counts.into_iter().filter(|(outcome, _)| *outcome != Outcome::NotApplicable).collect();
     let others = survey::scenes(records).len().saturating_sub(scenes.len());
     let apart = if others == 0 { String::new() } else { format!(" · {others} more scenes carry no order") };
-    format!("verdicts on these schemes: {} · {} scenes with an order{apart}", survey::tally_words(&shown), scenes.len())
+    format!(
+        "verdicts on these schemes: {} · {} scenes with an order{apart}",
+        survey::tally_words(&shown),
+        scenes.len()
+    )
 }
 
 fn entries(quantity: &str) -> Vec<Entry> {
@@ -98,7 +102,10 @@ fn entries(quantity: &str) -> Vec<Entry> {
     vec![
         Entry::new(Sign::Guide, "slope of a whole order"),
         Entry::new(Sign::Band, "claimed order ± 0.15; a column reaches to ± 0.3"),
-        Entry::new(Sign::Hollow, "beyond the column; nothing: no order, or the scheme does not take the scene"),
+        Entry::new(
+            Sign::Hollow,
+            "beyond the column; nothing: no order, or the scheme does not take the scene",
+        ),
         Entry::new(Sign::Filled, format!("large: {words}; small: other quantities")),
     ]
 }

@@ -9,7 +9,7 @@ use crate::report::survey;
 use super::axis::Axis;
 use super::convergence_panel::bounds;
 use super::curves::{self, Curve};
-use super::palette::{INK, Palette, tint};
+use super::palette::{INK, Palette};
 use super::panel::{Frame, Panel};
 use super::sketch::{Place, Sketch, Type};
 use super::slopes;
@@ -50,7 +50,7 @@ pub(super) fn draw_errors(
     slopes::draw(sketch, &panel, &lines, &whole_orders(records, palette));
     for (curve, line) in curves.iter().zip(lines) {
         let look = palette.look(curve.scheme);
-        sketch.stroke(line.clone(), tint(look.ink, 0.75), 3.0, look.dash);
+        sketch.stroke(line.clone(), look.ink, 4.0, look.dash);
         for place in line {
             sketch.marker(look.marker, place, 7.0, look.ink, true);
         }

@@ -42,7 +42,7 @@ pub use fails_where::{SCENES as LINE_SCENES, line};
 pub use failure::{Axis, Failure};
 pub use kink::kink_orders;
 pub use long_run::{energy_law, long_run};
-pub use maps::{NAMES as MAP_NAMES, map};
+pub use maps::{NAMES as MAP_NAMES, growth, map};
 pub use search::limits;
 pub use trial::{BOUNDED, ENERGY_KEPT, ORIENTATION_KEPT, Trial, attempt};
 pub use truth::Truth;

@@ -5,7 +5,7 @@ use super::{Curve, HeatMap, Map, Range};
 use crate::report::plot::axis::Axis;
 use crate::report::plot::palette::{INK, OVER};
 use crate::report::plot::panel::{self, Frame, Panel};
-use crate::report::plot::sketch::{Anchor, Place, Sketch};
+use crate::report::plot::sketch::{Anchor, Place, Sketch, Type};
 
 const TOP: f64 = 150.0;
 const MARGIN: f64 = 30.0;
@@ -66,8 +66,9 @@ fn draw_map(sketch: &mut Sketch, key: &Key, map: &Map, cell: Frame) {
     let up = panel::fitted(&map.up.title, panel::AXIS, frame.right - frame.left);
     sketch.text(&up, (frame.left, frame.top - 28.0), Anchor::Start, panel::AXIS);
     if !map.title.is_empty() {
-        let title = panel::fitted(&map.title, panel::TITLE, frame.right - frame.left);
-        sketch.text(&title, (frame.left, frame.top - 76.0), Anchor::Start, panel::TITLE);
+        let smaller = ((frame.right - frame.left) / panel::TITLE.width(&map.title)).min(1.0);
+        let face = Type::bold(panel::TITLE.em * smaller, panel::TITLE.ink);
+        sketch.text(&map.title, (frame.left, frame.top - 76.0), Anchor::Start, face);
     }
 }
 

@@ -54,6 +54,12 @@ pub fn map(name: &str, contestant: &Contestant, cells: usize) -> Option<Map> {
     })
 }
 
+/// Growth of a small displacement of the spring-held body over step and damping, measured; `None` where the scheme cannot take it.
+pub fn growth(contestant: &Contestant, cells: usize) -> Option<Map> {
+    let map = spring::measured_damping(contestant, cells)?;
+    Some(Map { name: "spring-damping".to_owned(), scheme: contestant.card.name.to_owned(), ..map })
+}
+
 /// A linear axis.
 fn linear(name: &str, unit: &str, low: f64, high: f64) -> MapAxis {
     MapAxis { name: name.to_owned(), unit: unit.to_owned(), logarithmic: false, low, high }

@@ -51,12 +51,20 @@ pub(super) fn stiffness(contestant: &Contestant, cells: usize) -> Option<Map> {
         let bench = bench(k, DAMPING)?;
         limit(contestant, bench.zeta).map(|a| a / bench.omega)
     };
-    finish(&mut map, "Spring-held body: step and stiffness", theory);
+    add_edge(&mut map, "Spring-held body: step and stiffness");
+    add_theory(&mut map, theory);
     map.what = format!("{WHAT}, c = {DAMPING} N s/m");
     Some(map)
 }
 
 pub(super) fn damping(contestant: &Contestant, cells: usize) -> Option<Map> {
+    let mut map = measured_damping(contestant, cells)?;
+    add_theory(&mut map, |zeta| limit(contestant, zeta));
+    Some(map)
+}
+
+/// The map of step and damping without its theory, which takes far longer than its cells.
+pub(super) fn measured_damping(contestant: &Contestant, cells: usize) -> Option<Map> {
     let one = bench(STIFFNESS, DAMPING)?;
     contestant.refusal(&one.system).is_none().then_some(())?;
     let x = linear("step h·ω", "1", 0.0, 3.0);
@@ -73,19 +81,22 @@ pub(super) fn damping(contestant: &Contestant, cells: usize) -> Option<Map> {
             .collect();
         row(contestant, &members)
     });
-    finish(&mut map, "Spring-held body: step and damping", |zeta| limit(contestant, zeta));
+    add_edge(&mut map, "Spring-held body: step and damping");
     map.what = format!("{WHAT}, k = {STIFFNESS} N/m");
     Some(map)
 }
 
-fn finish(map: &mut Map, title: &str, theory: impl Fn(f64) -> Option<f64>) {
+fn add_edge(map: &mut Map, title: &str) {
     map.title = title.to_owned();
     map.edge = Some(0.0);
     let measured = measured_edge(map, NO_GROWTH);
+    map.curves.push(measured);
+}
+
+fn add_theory(map: &mut Map, theory: impl Fn(f64) -> Option<f64>) {
     let drawn = curve("linear theory", map, &theory);
     if !drawn.x.is_empty() {
         map.edge_off_theory = edge_off(map, NO_GROWTH, &theory);
-        map.curves.push(drawn);
+        map.curves.insert(0, drawn);
     }
-    map.curves.push(measured);
 }
