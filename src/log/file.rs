@@ -295,9 +295,13 @@ fn row<'a>(mut cells: impl Iterator<Item = &'a str>, reading: &Reading) -> Resul
     for slot in &reading.slots {
         let Some(cell) = cells.next() else { return Err(Issue::Short) };
         let Some(slot) = slot else { continue };
-        let cell = layout::clean(cell);
-        let Some(value) = number(cell, reading.separator) else {
-            return Err(Issue::NoNumber { field: slot.field, text: layout::shown(cell) });
+        let value = match cell.parse() {
+            Ok(value) => value,
+            Err(_) => {
+                let cell = layout::clean(cell);
+                let none = || Issue::NoNumber { field: slot.field, text: layout::shown(cell) };
+                number(cell, reading.separator).ok_or_else(none)?
+            }
         };
         let place = match slot.field {
             field if field < COLUMNS.len() => field,

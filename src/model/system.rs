@@ -307,6 +307,9 @@ impl<T: Real> System<T> {
 
     /// Potential energy [J]; `None` where a law has none.
     pub fn potential_energy(&self, snapshot: &Snapshot<T>) -> Option<T> {
+        if self.forces.laws().is_empty() {
+            return Some(T::zero());
+        }
         let mut placed = Placed::new(self);
         placed.turn(self, &snapshot.orientation);
         let origin = snapshot.position - placed.center();
