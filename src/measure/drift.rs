@@ -46,7 +46,7 @@ const ONE_MOMENT: f64 = 1e-9;
 fn is_flat(rung: &EnergyRung, long: f64) -> bool {
     let oscillates =
         // A change as large as the energy is that of a run whose step is too large for its rate to mean anything.
-        rung.level < 1.0 && rung.rate.abs() <= SEEN * rung.uncertainty && is_bounded(rung, long);
+        rung.level < 1.0 && rung.rate.abs() <= SEEN * rung.uncertainty.abs() && is_bounded(rung, long);
     rung.rate.abs() * long <= rung.rounding / BELOW || oscillates
 }
 
@@ -60,7 +60,7 @@ pub fn rate_order(drift: &EnergyDrift) -> Decision {
     let run = |rung: &EnergyRung| {
         let long = rung.step * rung.steps as f64;
         // What a rate may be wrong by is a bound: r is to resolve a tenth of the rate.
-        let known = rung.uncertainty.max(rung.rounding / long);
+        let known = rung.uncertainty.abs().max(rung.rounding / long);
         Run {
             step: rung.step,
             steps: rung.steps,
@@ -70,6 +70,22 @@ pub fn rate_order(drift: &EnergyDrift) -> Decision {
     };
     let runs = drift.rungs.iter().map(run).collect();
     decide(&Asked::in_f64(runs, &[1.0], 0.0))
+}
+
+/// The order in h of the rates over parts of a run: it is that of the rate, or a lower one that the averages leave of an oscillation. What the rate
+/// may be wrong by hides it where the motion changes within a run, and with it the rate.
+pub fn order_of_parts(drift: &EnergyDrift) -> Decision {
+    let run = |rung: &EnergyRung| {
+        let known = rung.rounding / (rung.step * rung.steps as f64) / (BELOW * CLEAR);
+        Run {
+            step: rung.step,
+            steps: rung.steps,
+            errors: vec![rung.rate, rung.uncertainty],
+            rounding: vec![known, known],
+        }
+    };
+    let runs = drift.rungs.iter().map(run).collect();
+    decide(&Asked::in_f64(runs, &[0.5, 1.0], 0.0))
 }
 
 /// Measures the drift; `None` for a body under torque, without spin, too near the separatrix for many periods, or
@@ -103,8 +119,9 @@ pub fn energy_drift(contestant: &Contestant, system: &System, duration: f64) -> 
         drift.double_double = true;
     }
     let finest = drift.rungs.last()?;
-    let clear =
-        |rung: &EnergyRung| rung.rate.abs() > (SEEN * rung.uncertainty).max(rung.rounding / BELOW / long);
+    let clear = |rung: &EnergyRung| {
+        rung.rate.abs() > (SEEN * rung.uncertainty.abs()).max(rung.rounding / BELOW / long)
+    };
     // A secular change stands out of the oscillation at large steps: it is of a higher order.
     let bounded = drift
         .rungs
@@ -186,19 +203,19 @@ fn run_rung<T: Arithmetic>(
     let rate = secular_rate(&time, &change)?;
     let early = secular_rate(&time[..2 * third], &change[..2 * third])?;
     let late = secular_rate(&time[third..], &change[third..])?;
-    let moments = rotor.body.moments.map(T::to_f64);
-    let smallest = moments.iter().copied().filter(|m| *m > 0.0).fold(f64::INFINITY, f64::min);
-    let momentum = rotor.start.angular_momentum.map(T::to_f64);
-    let most = rotation::length(&momentum).powi(2) / (2.0 * smallest);
+    let smaller = |a: T, b: T| if b < a { b } else { a };
+    let smallest = rotor.body.moments.iter().copied().filter(|m| *m > T::zero()).reduce(smaller)?;
+    let momentum = rotation::length(&rotor.start.angular_momentum);
+    let most = momentum * momentum / (smallest * 2.0);
     let roundings = if steady { steps as f64 } else { (steps as f64).sqrt() };
     Some(EnergyRung {
         step: plan.step,
         steps,
         rate,
-        uncertainty: (early - late).abs(),
+        uncertainty: early - late,
         level: change.iter().map(|c| c.abs()).fold(0.0, super::larger),
         gain: change.iter().copied().fold(0.0, super::larger),
-        of_largest: energy.iter().map(|e| e.to_f64()).fold(0.0, super::larger) / most,
+        of_largest: energy.iter().map(|e| (*e / most).to_f64()).fold(0.0, super::larger),
         rounding: rounding::<T>(roundings),
         evaluations: outcome.evaluations,
     })
