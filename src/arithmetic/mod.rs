@@ -13,6 +13,8 @@ mod field;
 mod real;
 pub mod series;
 mod single;
+#[cfg(feature = "cli")]
+mod timed;
 
 use std::ops::{Add, Mul, Sub};
 
@@ -27,6 +29,8 @@ use common::Common;
 pub use double_double::DoubleDouble;
 pub use real::Real;
 pub use single::Single;
+#[cfg(feature = "cli")]
+pub use timed::{Latencies, Timed, operations};
 
 /// Sums and products.
 pub trait Number:

@@ -5,11 +5,14 @@
 //! (3)  Euler:   s₁ = advance(s₀, h, rates(s₀))
 //! (4)  Peskin:  s½ = advance(s₀, h/2, rates(s₀)),  s₁ = advance(s₀, h, rates(s½))
 //!
-//! These are the formulas of the models `Free` and `Rotor` under the pages `euler` and `peskin-rk2`: sum for sum, so that a
+//! Free bodies that turn little in a step take Peskin's in moving axes (`model::moving_axes`), as the model does by itself.
+//!
+//! The others are the formulas of the models `Free` and `Rotor` under the pages `euler` and `peskin-rk2`: sum for sum, so that a
 //! test holds them to the last bit. What the series of a turn do not reach, more than a radian in a step, they leave to
 //! the pages.
 
 use crate::arithmetic::{Number, Registers, Row, Work, series};
+use crate::model::moving_axes::{Moving, Stand};
 use crate::rotation::formulas;
 use crate::schemes::SideBySide;
 
@@ -19,6 +22,8 @@ pub(super) struct Lane {
     pub(super) attitude: [f64; 4],
     /// L [kg m²/s], world.
     pub(super) momentum: [f64; 3],
+    /// L [kg m²/s], principal axes, for steps in moving axes.
+    pub(super) ahead: [f64; 3],
     /// 1/moment [1/(kg m²)], principal axes.
     pub(super) inverse_moments: [f64; 3],
     /// M g of a top [N], world; zero for a free body.
@@ -29,14 +34,23 @@ pub(super) struct Lane {
     pub(super) step: f64,
 }
 
+/// In which form a group of bodies is stepped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Way {
+    /// By a scheme, as its page says.
+    Page(SideBySide),
+    /// By Peskin's scheme, free, in moving axes.
+    MovingAxes,
+}
+
 /// Takes `steps` steps with every body. False where a turn was larger than the series take: then the attitudes are
 /// worth nothing.
-pub(super) fn advance(registers: Registers, scheme: SideBySide, steps: u64, bodies: &mut [Lane]) -> bool {
-    registers.by_two(Advance { scheme, steps, bodies })
+pub(super) fn advance(registers: Registers, way: Way, steps: u64, bodies: &mut [Lane]) -> bool {
+    registers.by_two(Advance { way, steps, bodies })
 }
 
 struct Advance<'a> {
-    scheme: SideBySide,
+    way: Way,
     steps: u64,
     bodies: &'a mut [Lane],
 }
@@ -48,11 +62,15 @@ impl Work<f64> for Advance<'_> {
     fn with_rows<T: Row<Scalar = f64>>(self, proof: T::Proof) -> bool {
         let mut within = true;
         for group in self.bodies.chunks_mut(T::COUNT) {
+            let Way::Page(scheme) = self.way else {
+                moving_steps::<T>(proof, self.steps, group);
+                continue;
+            };
             let free = group.iter().all(|body| body.weight == [0.0; 3]);
             within &= if free {
-                group_steps::<T, false>(proof, self.scheme, self.steps, group)
+                group_steps::<T, false>(proof, scheme, self.steps, group)
             } else {
-                group_steps::<T, true>(proof, self.scheme, self.steps, group)
+                group_steps::<T, true>(proof, scheme, self.steps, group)
             };
         }
         within
@@ -83,6 +101,42 @@ macro_rules! vector {
     };
 }
 
+/// Writes a vector of each body.
+#[inline(always)]
+fn store<T: Row<Scalar = f64>, const N: usize>(
+    rows: &[T; N],
+    group: &mut [Lane],
+    part: fn(&mut Lane) -> &mut [f64; N],
+) {
+    let mut values = [0.0; WIDEST];
+    for (i, row) in rows.iter().enumerate() {
+        row.store(&mut T::chunks_mut(&mut values)[0]);
+        for (body, value) in group.iter_mut().zip(values) {
+            part(body)[i] = value;
+        }
+    }
+}
+
+/// A quaternion of each body.
+#[inline(always)]
+fn attitudes<T: Row<Scalar = f64>>(proof: T::Proof, group: &[Lane]) -> [T; 4] {
+    let [i, j, k] = vector!(proof, group, attitude);
+    [i, j, k, row(proof, group, |body| body.attitude[3])]
+}
+
+#[inline(always)]
+fn moving_steps<T: Row<Scalar = f64>>(proof: T::Proof, steps: u64, group: &mut [Lane]) {
+    let half_step = row(proof, group, |body| 0.5 * body.step);
+    let body =
+        Moving::<T>::new(vector!(proof, group, momentum), half_step, vector!(proof, group, inverse_moments));
+    let mut now = Stand { attitude: attitudes(proof, group), momentum: vector!(proof, group, ahead) };
+    for _ in 0..steps {
+        now = body.peskin_rk2(now);
+    }
+    store(&now.attitude, group, |body| &mut body.attitude);
+    store(&now.momentum, group, |body| &mut body.ahead);
+}
+
 #[inline(always)]
 fn group_steps<T: Row<Scalar = f64>, const TOPS: bool>(
     proof: T::Proof,
@@ -99,9 +153,7 @@ fn group_steps<T: Row<Scalar = f64>, const TOPS: bool>(
         quarter_step: row(proof, group, |body| 0.5 * (0.5 * body.step)),
         largest: T::splat(proof, 0.0),
     };
-    let [i, j, k] = vector!(proof, group, attitude);
-    let attitude = [i, j, k, row(proof, group, |body| body.attitude[3])];
-    let mut now = State { attitude, momentum: vector!(proof, group, momentum) };
+    let mut now = State { attitude: attitudes(proof, group), momentum: vector!(proof, group, momentum) };
     match scheme {
         SideBySide::Euler => {
             for _ in 0..steps {
@@ -114,19 +166,8 @@ fn group_steps<T: Row<Scalar = f64>, const TOPS: bool>(
             }
         }
     }
-    let mut values = [0.0; WIDEST];
-    for (i, part) in now.attitude.iter().enumerate() {
-        part.store(&mut T::chunks_mut(&mut values)[0]);
-        for (body, value) in group.iter_mut().zip(values) {
-            body.attitude[i] = value;
-        }
-    }
-    for (i, part) in now.momentum.iter().enumerate() {
-        part.store(&mut T::chunks_mut(&mut values)[0]);
-        for (body, value) in group.iter_mut().zip(values) {
-            body.momentum[i] = value;
-        }
-    }
+    store(&now.attitude, group, |body| &mut body.attitude);
+    store(&now.momentum, group, |body| &mut body.momentum);
     bodies.largest.largest() <= series::LARGEST_SQUARE
 }
 
@@ -207,6 +248,7 @@ mod tests {
             Lane {
                 attitude: [0.8, 0.0, -0.6, 0.0],
                 momentum: [1.0 + part, -0.5, 2.0 * part],
+                ahead: [1.0 + part, -0.5, 2.0 * part],
                 inverse_moments: [1.0, 0.5 + 0.5 * part, 0.25],
                 step: 0.01 + 0.02 * part,
                 ..Lane::default()
@@ -217,7 +259,8 @@ mod tests {
 
     #[test]
     fn registers_of_every_width_give_the_same_numbers_to_the_last_bit() {
-        for scheme in [SideBySide::Euler, SideBySide::PeskinRk2] {
+        let ways = [Way::Page(SideBySide::Euler), Way::Page(SideBySide::PeskinRk2), Way::MovingAxes];
+        for scheme in ways {
             let mut narrow = bodies();
             assert!(advance(Registers::all()[0], scheme, 10_000, &mut narrow));
             assert_ne!(narrow, bodies());
@@ -233,6 +276,9 @@ mod tests {
                 }
                 bodies
             };
+            if scheme == Way::MovingAxes {
+                continue;
+            }
             let mut narrow = tops();
             assert!(advance(Registers::all()[0], scheme, 300, &mut narrow));
             assert_ne!(narrow[3].momentum, tops()[3].momentum);
@@ -252,7 +298,7 @@ mod tests {
                 let slow = Lane { momentum: [1.0, 0.0, 0.0], attitude: [1.0, 0.0, 0.0, 0.0], ..bodies[0] };
                 bodies[17] = Lane { step, ..slow };
                 assert_eq!(
-                    advance(width, SideBySide::PeskinRk2, 3, &mut bodies),
+                    advance(width, Way::Page(SideBySide::PeskinRk2), 3, &mut bodies),
                     within,
                     "{width:?}, {step}"
                 );
