@@ -99,7 +99,7 @@ fn of_scheme<M: Turning<Real = Timed>>(
     let mut next = model.start();
     let mut n = 0;
     of_steps(model, |steps, state| {
-        if shortcut.is_some_and(|shortcut| model.shortcut(shortcut, h, steps, state)) {
+        if shortcut.and_then(|shortcut| model.shortcut(shortcut, h, steps, state)) == Some(steps) {
             return;
         }
         for _ in 0..steps {

@@ -36,18 +36,25 @@ impl<T: Real> FreeState<T> {
 }
 
 impl<T: Real> Free<T> {
-    /// Whether half a step turns the body so little that the series of small angles take it, wherever it stands.
-    pub(crate) fn turns_little(&self, step: f64) -> bool {
-        let fastest = self.rotational.inverse_moments.amax() * rotation::length(&self.start.angular_momentum);
-        let angle = fastest.to_f64() * step * 0.5;
-        angle * angle <= series::SMALL_SQUARE
-    }
-
     /// The body in moving axes at a step.
     #[inline(always)]
     pub(crate) fn moving(&self, step: T) -> Moving<T> {
         let (momentum, inverse) = (self.start.angular_momentum, self.rotational.inverse_moments);
         Moving::new(momentum.into(), step * 0.5, inverse.into())
+    }
+
+    /// Largest square of the turn of half a step [rad²] from which a step of Peskin's scheme stays within the series of small angles; `None`
+    /// where the start is beyond.
+    ///
+    /// The second stage's Ω is larger by |L|/I times the first one's turn at most, I the least moment.
+    pub(crate) fn turns_little(&self, step: T) -> Option<T> {
+        let fastest = self.rotational.inverse_moments.amax() * rotation::length(&self.start.angular_momentum);
+        let more = (fastest * step * 0.5).abs() + 1.0;
+        let largest = T::of(series::SMALL_SQUARE) / (more * more);
+        let body = self.moving(step);
+        let q = self.rotational.attitude;
+        let start = body.square_of_half(body.seen_from([q.w, q.i, q.j, q.k]));
+        (start <= largest).then_some(largest)
     }
 
     /// The same body with an L of its own in the state, for schemes that do not keep L by themselves.
@@ -90,24 +97,36 @@ impl<T: Real> Model for Free<T> {
     }
 
     #[inline(always)]
-    fn shortcut(&self, of: Shortcut, step: T, steps: u64, state: &mut FreeState<T>) -> bool {
+    fn shortcut(&self, of: Shortcut, step: T, steps: u64, state: &mut FreeState<T>) -> Option<u64> {
         // The series of small angles end where f64 does.
-        if T::UNIT != f64::UNIT || !self.turns_little(step.to_f64()) {
-            return false;
+        if T::UNIT != f64::UNIT {
+            return None;
         }
         let body = self.moving(step);
         let q = state.attitude;
         let attitude = [q.w, q.i, q.j, q.k];
         let momentum = state.ahead.unwrap_or_else(|| body.seen_from(attitude));
         let mut now = Stand { attitude, momentum };
+        let mut taken = 0;
         match of {
-            Shortcut::PeskinRk2 => (0..steps).for_each(|_| now = body.peskin_rk2(now)),
-            Shortcut::Rk4Quaternion => (0..steps).for_each(|_| now = body.rk4_quaternion(now)),
+            Shortcut::PeskinRk2 => {
+                let largest = self.turns_little(step)?;
+                while taken < steps && body.square_of_half(now.momentum) <= largest {
+                    now = body.peskin_rk2(now);
+                    taken += 1;
+                }
+            }
+            Shortcut::Rk4Quaternion => {
+                while taken < steps {
+                    now = body.rk4_quaternion(now);
+                    taken += 1;
+                }
+            }
         }
         let [w, x, y, z] = now.attitude;
         let attitude = Rotation::new_unchecked(Quaternion::new(w, x, y, z));
         *state = FreeState { attitude, ahead: Some(now.momentum) };
-        true
+        Some(taken)
     }
 
     fn is_finite(&self, state: &FreeState<T>) -> bool {

@@ -246,10 +246,17 @@ pub trait Model {
     fn observe(&self, t: Self::Real, state: &Self::State) -> Result<Snapshot<Self::Real>, Broken>;
 
     /// Takes steps of a scheme in place, where the model has a form of its own for it that costs less and whose states differ from those of
-    /// the scheme's page by rounding alone. False where it has none at this step: then nothing was done.
+    /// the scheme's page by rounding alone. How many were taken before one that the page has to take; `None` where the model has no such
+    /// form at this step.
     #[inline(always)]
-    fn shortcut(&self, _of: Shortcut, _step: Self::Real, _steps: u64, _state: &mut Self::State) -> bool {
-        false
+    fn shortcut(
+        &self,
+        _of: Shortcut,
+        _step: Self::Real,
+        _steps: u64,
+        _state: &mut Self::State,
+    ) -> Option<u64> {
+        None
     }
 
     /// Told by a scheme that it has solved an implicit equation, in so many iterations: work that a harness counts.

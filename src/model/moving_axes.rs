@@ -9,7 +9,7 @@
 //! (5)  m₁ = R(2u)ᵀ f = f + 2s (s u×(u×f) − c u×f)           f = R(q)ᵀ L
 //!
 //! The next step waits for m alone. (5) begins from f and not from m, so that q is the one master copy: what m is off by rounding
-//! moves (1) and (2) by that much and is forgotten. The series take small turns only.
+//! moves (1) and (2) by that much and is forgotten. The series of (2) to (5) take small turns only.
 //!
 //! The classical method on the quaternion takes its stages as q g, g = (w, x), with
 //!
@@ -53,6 +53,13 @@ impl<T: Number> Moving<T> {
     pub fn seen_from(&self, [w, x, y, z]: [T; 4]) -> [T; 3] {
         let t = cross(self.twice, [x, y, z]);
         minus(plus(self.momentum, scaled(t, w)), cross([x, y, z], t))
+    }
+
+    /// |v|² of (1) [rad²].
+    #[inline(always)]
+    pub fn square_of_half(&self, momentum: [T; 3]) -> T {
+        let v = parts(self.half, momentum);
+        dot(v, v)
     }
 
     /// A step of Peskin's scheme.
@@ -99,9 +106,14 @@ impl<T: Real> Moving<T> {
         let excess = (ww + xx) - 1.0;
         let across = scaled(cross(x, twice), w);
         let seen = plus(scaled(fresh, ww - xx), minus(scaled(x, dot(x, twice)), across));
-        let momentum = scaled(seen, (one - excess) + excess * excess);
+        let (inverse, root) = if excess.abs() <= T::LARGEST_EXCESS {
+            ((one - excess) + excess * excess, inverse_root(excess))
+        } else {
+            (one / (ww + xx), one / (ww + xx).sqrt())
+        };
+        let momentum = scaled(seen, inverse);
         let length = (q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3]);
-        let right = inverse_root(excess) * (T::of(1.5) - length * 0.5);
+        let right = root * (T::of(1.5) - length * 0.5);
         Stand { attitude: times(q, [w * right, x[0] * right, x[1] * right, x[2] * right]), momentum }
     }
 }

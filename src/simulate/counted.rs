@@ -55,10 +55,10 @@ impl<M: Model> Model for Counted<'_, M> {
     }
 
     #[inline(always)]
-    fn shortcut(&self, of: Shortcut, step: M::Real, steps: u64, state: &mut M::State) -> bool {
-        let taken = self.model.shortcut(of, step, steps, state);
-        self.evaluations.set(self.evaluations.get() + if taken { steps * of.evaluations() } else { 0 });
-        taken
+    fn shortcut(&self, of: Shortcut, step: M::Real, steps: u64, state: &mut M::State) -> Option<u64> {
+        let taken = self.model.shortcut(of, step, steps, state)?;
+        self.evaluations.set(self.evaluations.get() + taken * of.evaluations());
+        Some(taken)
     }
 
     fn is_finite(&self, state: &M::State) -> bool {

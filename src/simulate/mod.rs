@@ -204,13 +204,23 @@ impl<'a, S: Stepping<Counted<'a, M>>, M: Model> Stepper<'a, S, M> {
     }
 
     /// Steps with one model.
-    fn take(&mut self, from: u64, to: u64) -> Result<(), (u64, Broken)> {
-        if let Some(shortcut) = S::SHORTCUT
-            && self.model.shortcut(shortcut, self.step, to - from, &mut self.now)
-        {
-            std::hint::black_box(&self.now);
-            return Ok(());
+    fn take(&mut self, mut from: u64, to: u64) -> Result<(), (u64, Broken)> {
+        if let Some(of) = S::SHORTCUT {
+            while let Some(taken) = self.model.shortcut(of, self.step, to - from, &mut self.now) {
+                std::hint::black_box(&self.now);
+                from += taken;
+                if from == to {
+                    return Ok(());
+                }
+                self.take_by_page(from, from + 1)?;
+                from += 1;
+            }
         }
+        self.take_by_page(from, to)
+    }
+
+    /// The same, as the scheme's page says.
+    fn take_by_page(&mut self, from: u64, to: u64) -> Result<(), (u64, Broken)> {
         // Places are exchanged, not states: those of a small model would be copied with every step.
         let (mut now, mut next) = (&mut self.now, &mut self.next);
         let mut result = Ok(());

@@ -50,7 +50,8 @@ impl Guest<'_> {
         match &self.body {
             Body::Free(model) => {
                 let lane = turning(model);
-                Lane { step, ahead: model.moving(step).seen_from(lane.attitude), ..lane }
+                let ahead = model.moving(step).seen_from(lane.attitude);
+                Lane { step, ahead, largest: model.turns_little(step).unwrap_or(0.0), ..lane }
             }
             Body::Top(model, weight, center) => {
                 Lane { step, weight: (*weight).into(), center: (*center).into(), ..turning(model) }
@@ -62,7 +63,7 @@ impl Guest<'_> {
     pub(super) fn way(&self, scheme: SideBySide) -> Way {
         match &self.body {
             Body::Free(model)
-                if scheme == SideBySide::PeskinRk2 && model.turns_little(self.member.plan.step) =>
+                if scheme == SideBySide::PeskinRk2 && model.turns_little(self.member.plan.step).is_some() =>
             {
                 Way::MovingAxes
             }

@@ -24,6 +24,8 @@ pub(super) struct Lane {
     pub(super) momentum: [f64; 3],
     /// L [kg m²/s], principal axes, for steps in moving axes.
     pub(super) ahead: [f64; 3],
+    /// Largest square of the turn of half a step in moving axes [rad²].
+    pub(super) largest: f64,
     /// 1/moment [1/(kg m²)], principal axes.
     pub(super) inverse_moments: [f64; 3],
     /// M g of a top [N], world; zero for a free body.
@@ -63,7 +65,7 @@ impl Work<f64> for Advance<'_> {
         let mut within = true;
         for group in self.bodies.chunks_mut(T::COUNT) {
             let Way::Page(scheme) = self.way else {
-                moving_steps::<T>(proof, self.steps, group);
+                within &= moving_steps::<T>(proof, self.steps, group);
                 continue;
             };
             let free = group.iter().all(|body| body.weight == [0.0; 3]);
@@ -125,16 +127,20 @@ fn attitudes<T: Row<Scalar = f64>>(proof: T::Proof, group: &[Lane]) -> [T; 4] {
 }
 
 #[inline(always)]
-fn moving_steps<T: Row<Scalar = f64>>(proof: T::Proof, steps: u64, group: &mut [Lane]) {
+fn moving_steps<T: Row<Scalar = f64>>(proof: T::Proof, steps: u64, group: &mut [Lane]) -> bool {
     let half_step = row(proof, group, |body| 0.5 * body.step);
     let body =
         Moving::<T>::new(vector!(proof, group, momentum), half_step, vector!(proof, group, inverse_moments));
     let mut now = Stand { attitude: attitudes(proof, group), momentum: vector!(proof, group, ahead) };
+    let largest = row(proof, group, |body| body.largest);
+    let mut beyond = T::splat(proof, f64::NEG_INFINITY);
     for _ in 0..steps {
+        beyond = beyond.larger(body.square_of_half(now.momentum) - largest);
         now = body.peskin_rk2(now);
     }
     store(&now.attitude, group, |body| &mut body.attitude);
     store(&now.momentum, group, |body| &mut body.ahead);
+    beyond.largest() <= 0.0
 }
 
 #[inline(always)]
@@ -249,6 +255,7 @@ mod tests {
                 attitude: [0.8, 0.0, -0.6, 0.0],
                 momentum: [1.0 + part, -0.5, 2.0 * part],
                 ahead: [1.0 + part, -0.5, 2.0 * part],
+                largest: 1.0,
                 inverse_moments: [1.0, 0.5 + 0.5 * part, 0.25],
                 step: 0.01 + 0.02 * part,
                 ..Lane::default()
