@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use polhode::internals::arithmetic::{Latencies, Timed, operations};
 use polhode::internals::model::AnyModel;
-use polhode::model::{Model, Shortcut, System, Turning};
+use polhode::model::{Shortcut, System, Turning};
 use polhode::schemes::{
     BussAugmented, Euler, ExactRotor, ImplicitMidpoint, KryslLiemid, MoserVeselov, PeskinRk2, Rk4Quaternion,
     Scheme, SemiImplicitEulerImplicitGyro, SemiImplicitEulerNoGyro, SimoWong, Step, StrangSymmetric,

@@ -152,6 +152,18 @@ impl Registers {
         }
     }
 
+    /// Does work that holds many rows at a time: rows of two registers where the machine has thirty-two, of one where it has sixteen.
+    #[inline(always)]
+    pub fn by_fitting<W: Work<f64>>(self, work: W) -> W::Output {
+        match self.0 {
+            #[cfg(all(target_arch = "x86_64", feature = "cli"))]
+            Width::Avx512(eight) => Simd::vectorize(eight, Asking::<W, 2>(work)),
+            #[cfg(all(target_arch = "x86_64", feature = "cli"))]
+            Width::Avx2(four) => Simd::vectorize(four, Asking::<W, 1>(work)),
+            Width::Common => work.with_rows::<Common<1>>(()),
+        }
+    }
+
     /// Does work with rows of eight numbers, as many registers as that takes.
     #[inline(always)]
     pub fn by_eight<W: Work<f64>>(self, work: W) -> W::Output {

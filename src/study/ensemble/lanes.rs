@@ -48,32 +48,49 @@ pub(super) enum Way {
 /// Takes `steps` steps with every body. False where a turn was larger than the series take: then the attitudes are
 /// worth nothing.
 pub(super) fn advance(registers: Registers, way: Way, steps: u64, bodies: &mut [Lane]) -> bool {
-    registers.by_two(Advance { way, steps, bodies })
+    match way {
+        Way::Page(scheme) => registers.by_two(ByPage { scheme, steps, bodies }),
+        Way::MovingAxes => registers.by_fitting(InMovingAxes { steps, bodies }),
+    }
 }
 
-struct Advance<'a> {
-    way: Way,
+struct ByPage<'a> {
+    scheme: SideBySide,
     steps: u64,
     bodies: &'a mut [Lane],
 }
 
-impl Work<f64> for Advance<'_> {
+impl Work<f64> for ByPage<'_> {
     type Output = bool;
 
     #[inline(always)]
     fn with_rows<T: Row<Scalar = f64>>(self, proof: T::Proof) -> bool {
         let mut within = true;
         for group in self.bodies.chunks_mut(T::COUNT) {
-            let Way::Page(scheme) = self.way else {
-                within &= moving_steps::<T>(proof, self.steps, group);
-                continue;
-            };
             let free = group.iter().all(|body| body.weight == [0.0; 3]);
             within &= if free {
-                group_steps::<T, false>(proof, scheme, self.steps, group)
+                group_steps::<T, false>(proof, self.scheme, self.steps, group)
             } else {
-                group_steps::<T, true>(proof, scheme, self.steps, group)
+                group_steps::<T, true>(proof, self.scheme, self.steps, group)
             };
+        }
+        within
+    }
+}
+
+struct InMovingAxes<'a> {
+    steps: u64,
+    bodies: &'a mut [Lane],
+}
+
+impl Work<f64> for InMovingAxes<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn with_rows<T: Row<Scalar = f64>>(self, proof: T::Proof) -> bool {
+        let mut within = true;
+        for group in self.bodies.chunks_mut(T::COUNT) {
+            within &= moving_steps::<T>(proof, self.steps, group);
         }
         within
     }
