@@ -56,9 +56,9 @@ pub fn rate() -> f64 {
     let run = || {
         let (mut products, mut sums) = ([1.0f64; SIDE], [1.0f64; SIDE]);
         for _ in 0..LINKS {
-            for i in 0..SIDE {
-                products[i] *= factor;
-                sums[i] += part;
+            for (product, sum) in products.iter_mut().zip(&mut sums) {
+                *product *= factor;
+                *sum += part;
             }
         }
         products.iter().chain(&sums).sum()
