@@ -50,26 +50,31 @@ const fn ordered_sum(a: f64, b: f64) -> DoubleDouble {
 /// (3).
 #[inline(always)]
 const fn split(a: f64) -> (f64, f64) {
-    if a.abs() > SPLIT_OVERFLOWS {
-        let (upper, lower) = split_small(a / SCALE);
-        return (upper * SCALE, lower * SCALE);
-    }
-    split_small(a)
-}
-
-#[inline(always)]
-const fn split_small(a: f64) -> (f64, f64) {
     let scaled = SPLITTER * a;
     let upper = scaled - (scaled - a);
     (upper, a - upper)
 }
 
-/// (2).
+/// (3) for every size.
+const fn split_large(a: f64) -> (f64, f64) {
+    if a.abs() > SPLIT_OVERFLOWS {
+        let (upper, lower) = split(a / SCALE);
+        return (upper * SCALE, lower * SCALE);
+    }
+    split(a)
+}
+
+/// What (2) rounds off, from the parts of the factors.
+#[inline(always)]
+const fn error_of_product(product: f64, (a1, a2): (f64, f64), (b1, b2): (f64, f64)) -> f64 {
+    ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2
+}
+
+/// (2); the error is no number where a factor is too large for (3).
 #[inline(always)]
 const fn two_product(a: f64, b: f64) -> (f64, f64) {
-    let ((a1, a2), (b1, b2)) = (split(a), split(b));
     let product = a * b;
-    (product, ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2)
+    (product, error_of_product(product, split(a), split(b)))
 }
 
 impl DoubleDouble {
@@ -116,7 +121,7 @@ impl DoubleDouble {
     const fn times(self, other: DoubleDouble) -> DoubleDouble {
         let (product, error) = two_product(self.high, other.high);
         if !error.is_finite() {
-            return DoubleDouble::exact(product);
+            return self.times_large(other);
         }
         ordered_sum(product, error + (self.high * other.low + self.low * other.high))
     }
@@ -124,9 +129,21 @@ impl DoubleDouble {
     const fn times_f64(self, other: f64) -> DoubleDouble {
         let (product, error) = two_product(self.high, other);
         if !error.is_finite() {
-            return DoubleDouble::exact(product);
+            return self.times_large(DoubleDouble::exact(other));
         }
         ordered_sum(product, error + self.low * other)
+    }
+
+    /// The product where a factor or the product is large. Few products are: their code stands apart from the others.
+    #[cold]
+    #[inline(never)]
+    const fn times_large(self, other: DoubleDouble) -> DoubleDouble {
+        let product = self.high * other.high;
+        let error = error_of_product(product, split_large(self.high), split_large(other.high));
+        if !error.is_finite() {
+            return DoubleDouble::exact(product);
+        }
+        ordered_sum(product, error + (self.high * other.low + self.low * other.high))
     }
 
     const fn over(self, other: DoubleDouble) -> DoubleDouble {
@@ -263,13 +280,18 @@ const fn inverse_factorials(offset: usize) -> [DoubleDouble; TERMS] {
 const COSINE: [DoubleDouble; TERMS] = inverse_factorials(0);
 const SINE: [DoubleDouble; TERMS] = inverse_factorials(1);
 
-/// cos x and sin x / x for y = x² ≤ (π/4)². Terms from the eighth on are below 2⁻⁵³ of the sum, so that f64 holds them.
+/// How many terms of [`series`] need two f64, for y below a bound: those after them are below 2⁻⁵³ of the sum.
+const IN_TWO: [(f64, usize); 3] = [(1.0 / 32_768.0, 3), (1.0 / 1024.0, 4), (f64::INFINITY, 9)];
+
+/// cos x and sin x / x for y = x² ≤ (π/4)².
 fn series(y: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
-    const IN_F64: usize = 9;
+    let in_two = IN_TWO.iter().find(|(below, _)| y.high < *below).map_or(9, |(_, terms)| *terms);
+    // As many again end below 2⁻¹⁰⁶.
+    let last = TERMS.min(2 * in_two + 1);
     let sum = |terms: &[DoubleDouble; TERMS]| {
-        let small = terms[IN_F64..].iter().rev().fold(0.0, |sum, term| sum * y.high + term.high);
+        let small = terms[in_two..last].iter().rev().fold(0.0, |sum, term| sum * y.high + term.high);
         let start = DoubleDouble::exact(small);
-        terms[..IN_F64].iter().rev().fold(start, |sum, term| sum.times(y).plus(*term))
+        terms[..in_two].iter().rev().fold(start, |sum, term| sum.times(y).plus(*term))
     };
     (sum(&COSINE), sum(&SINE))
 }

@@ -13,6 +13,8 @@ mod field;
 mod real;
 pub mod series;
 mod single;
+#[cfg(feature = "cli")]
+mod timed;
 
 use std::ops::{Add, Mul, Sub};
 
@@ -27,6 +29,8 @@ use common::Common;
 pub use double_double::DoubleDouble;
 pub use real::Real;
 pub use single::Single;
+#[cfg(feature = "cli")]
+pub use timed::{Latencies, Timed, operations};
 
 /// Sums and products.
 pub trait Number:
@@ -144,6 +148,18 @@ impl Registers {
             Width::Avx512(eight) => Simd::vectorize(eight, Asking::<W, 2>(work)),
             #[cfg(all(target_arch = "x86_64", feature = "cli"))]
             Width::Avx2(four) => Simd::vectorize(four, Asking::<W, 2>(work)),
+            Width::Common => work.with_rows::<Common<1>>(()),
+        }
+    }
+
+    /// Does work that holds many rows at a time: rows of two registers where the machine has thirty-two, of one where it has sixteen.
+    #[inline(always)]
+    pub fn by_fitting<W: Work<f64>>(self, work: W) -> W::Output {
+        match self.0 {
+            #[cfg(all(target_arch = "x86_64", feature = "cli"))]
+            Width::Avx512(eight) => Simd::vectorize(eight, Asking::<W, 2>(work)),
+            #[cfg(all(target_arch = "x86_64", feature = "cli"))]
+            Width::Avx2(four) => Simd::vectorize(four, Asking::<W, 1>(work)),
             Width::Common => work.with_rows::<Common<1>>(()),
         }
     }

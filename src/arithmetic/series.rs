@@ -33,6 +33,22 @@ fn pair<T: Number>(y: T, n: f64, m: f64) -> T {
     y.like(1.0 / n) - y * (1.0 / m)
 }
 
+/// Largest square of an angle that [`of_small_angle`] takes: what is left out of [`COSINE`] there is y⁵/10! < 1e-17.
+pub const SMALL_SQUARE: f64 = 1.0 / 128.0;
+/// cos x in y = x².
+pub const COSINE: [f64; 5] = [1.0, -1.0 / 2.0, 1.0 / 24.0, -1.0 / 720.0, 1.0 / 40_320.0];
+/// sin x / x.
+pub const SINE: [f64; 5] = [1.0, -1.0 / 6.0, 1.0 / 120.0, -1.0 / 5_040.0, 1.0 / 362_880.0];
+/// (1 − cos x)/x².
+pub const VERSINE: [f64; 5] = [1.0 / 2.0, -1.0 / 24.0, 1.0 / 720.0, -1.0 / 40_320.0, 1.0 / 3_628_800.0];
+
+/// One of these series for y ≤ [`SMALL_SQUARE`], in the order in which it is ready first.
+#[inline(always)]
+pub fn of_small_angle<T: Number>(y: T, [a, b, c, d, e]: [f64; 5]) -> T {
+    let yy = y * y;
+    ((y.like(a) + y * b) + yy * c) + (y * yy) * (y.like(d) + y * e)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -6,6 +6,7 @@ use nalgebra::{Quaternion, Vector3};
 
 use super::falling::FallingState;
 use super::forced::ForcedState;
+use super::free::FreeState;
 use super::rotor::RotorState;
 use super::{
     AnyModel, Broken, Falling, Forced, Free, Model, Motion, Rates, Rotational, Rotor, Snapshot, System,
@@ -31,7 +32,7 @@ pub enum Least<T: Real> {
 #[derive(Clone, Copy, Debug)]
 pub enum LeastState<T: Real> {
     /// Of a free body.
-    Free(Rotation<T>),
+    Free(FreeState<T>),
     /// Of a falling one.
     Falling(FallingState<T>),
     /// Of a rotor.

@@ -20,6 +20,7 @@ mod forced;
 pub mod forces;
 pub(crate) mod free;
 mod least;
+pub(crate) mod moving_axes;
 mod placed;
 mod point_cloud;
 pub(crate) mod retold;
@@ -185,6 +186,25 @@ macro_rules! rates {
 }
 use rates;
 
+/// Schemes whose step a model may know in a form of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shortcut {
+    /// Peskin's two stages.
+    PeskinRk2,
+    /// The classical Runge–Kutta method on the quaternion.
+    Rk4Quaternion,
+}
+
+impl Shortcut {
+    /// Evaluations of the rates in a step.
+    pub fn evaluations(self) -> u64 {
+        match self {
+            Shortcut::PeskinRk2 => 2,
+            Shortcut::Rk4Quaternion => 4,
+        }
+    }
+}
+
 /// A body under forces, as a scheme sees it.
 pub trait Model {
     /// The arithmetic.
@@ -224,6 +244,20 @@ pub trait Model {
     /// # Errors
     /// Ω does not exist.
     fn observe(&self, t: Self::Real, state: &Self::State) -> Result<Snapshot<Self::Real>, Broken>;
+
+    /// Takes steps of a scheme in place, where the model has a form of its own for it that costs less and whose states differ from those of
+    /// the scheme's page by rounding alone. How many were taken before one that the page has to take; `None` where the model has no such
+    /// form at this step.
+    #[inline(always)]
+    fn shortcut(
+        &self,
+        _of: Shortcut,
+        _step: Self::Real,
+        _steps: u64,
+        _state: &mut Self::State,
+    ) -> Option<u64> {
+        None
+    }
 
     /// Told by a scheme that it has solved an implicit equation, in so many iterations: work that a harness counts.
     fn solved(&self, _iterations: u32) {}

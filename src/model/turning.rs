@@ -4,7 +4,7 @@ use nalgebra::{Quaternion, Vector3};
 
 use super::falling::Falling;
 use super::forced::Forced;
-use super::free::{Free, FreeRates};
+use super::free::{Free, FreeRates, FreeState};
 use super::rotor::Rotor;
 use super::system::Rotational;
 use super::{Broken, Turning};
@@ -18,18 +18,18 @@ impl<T: Real> Turning for Free<T> {
     }
 
     #[inline(always)]
-    fn attitude(&self, state: &Rotation<T>) -> Rotation<T> {
-        *state
+    fn attitude(&self, state: &FreeState<T>) -> Rotation<T> {
+        state.attitude
     }
 
     #[inline(always)]
-    fn momentum(&self, _state: &Rotation<T>) -> Vector3<T> {
+    fn momentum(&self, _state: &FreeState<T>) -> Vector3<T> {
         self.start.angular_momentum
     }
 
     #[inline(always)]
-    fn place(&self, state: &mut Rotation<T>, attitude: Rotation<T>, _momentum: Vector3<T>) {
-        *state = attitude;
+    fn place(&self, state: &mut FreeState<T>, attitude: Rotation<T>, _momentum: Vector3<T>) {
+        *state = FreeState::at(attitude);
     }
 
     /// Ω is all that a free body asks of a stage.
@@ -37,9 +37,9 @@ impl<T: Real> Turning for Free<T> {
     fn rates_at_stage(
         &self,
         _t: T,
-        _held: (&Rotation<T>, T, &FreeRates<T>),
+        _held: (&FreeState<T>, T, &FreeRates<T>),
         (q, time): (&Quaternion<T>, T),
-        _stage: &mut Rotation<T>,
+        _stage: &mut FreeState<T>,
     ) -> Result<(FreeRates<T>, Quaternion<T>), Broken> {
         let (inverse, momentum) = (self.rotational.inverse_moments, self.start.angular_momentum);
         let (spin, [w, x, y, z]) =
@@ -58,14 +58,14 @@ impl<T: Real> Turning for Free<T> {
     }
 
     #[inline]
-    fn kick(&self, _state: &mut Rotation<T>, _s: T, _rates: &FreeRates<T>) {}
+    fn kick(&self, _state: &mut FreeState<T>, _s: T, _rates: &FreeRates<T>) {}
 
     #[inline]
-    fn drift(&self, _state: &mut Rotation<T>, _s: T) {}
+    fn drift(&self, _state: &mut FreeState<T>, _s: T) {}
 
     #[inline]
-    fn apart(&self, a: &Rotation<T>, b: &Rotation<T>) -> T {
-        attitude_apart(a, b)
+    fn apart(&self, a: &FreeState<T>, b: &FreeState<T>) -> T {
+        attitude_apart(&a.attitude, &b.attitude)
     }
 
     #[inline]

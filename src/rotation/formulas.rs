@@ -22,6 +22,41 @@ pub fn scaled<T: Number>(x: [T; 3], s: T) -> [T; 3] {
     [x[0] * s, x[1] * s, x[2] * s]
 }
 
+/// a + b.
+#[inline(always)]
+pub fn plus<T: Number>(a: [T; 3], b: [T; 3]) -> [T; 3] {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+/// a − b.
+#[inline(always)]
+pub fn minus<T: Number>(a: [T; 3], b: [T; 3]) -> [T; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// a times b, part by part.
+#[inline(always)]
+pub fn parts<T: Number>(a: [T; 3], b: [T; 3]) -> [T; 3] {
+    [a[0] * b[0], a[1] * b[1], a[2] * b[2]]
+}
+
+/// a × b.
+#[inline(always)]
+pub fn cross<T: Number>(a: [T; 3], b: [T; 3]) -> [T; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// The product of two quaternions.
+#[inline(always)]
+pub fn times<T: Number>(a: [T; 4], b: [T; 4]) -> [T; 4] {
+    [
+        a[0] * b[0] - (a[1] * b[1] + a[2] * b[2] + a[3] * b[3]),
+        a[0] * b[1] + a[1] * b[0] + (a[2] * b[3] - a[3] * b[2]),
+        a[0] * b[2] + a[2] * b[0] + (a[3] * b[1] - a[1] * b[3]),
+        a[0] * b[3] + a[3] * b[0] + (a[1] * b[2] - a[2] * b[1]),
+    ]
+}
+
 /// a · b.
 #[inline(always)]
 pub fn dot<T: Number>(a: [T; 3], b: [T; 3]) -> T {

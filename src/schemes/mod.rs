@@ -81,7 +81,7 @@ mod euler_linear;
 mod rk2_linear;
 mod course_code_euler;
 
-use crate::model::{Broken, Model, Pointwise, Turning};
+use crate::model::{Broken, Model, Pointwise, Shortcut, Turning};
 
 pub use crate::claim::{Claim, EnergyOfFreeBody, When};
 #[doc(no_inline)]
@@ -163,6 +163,9 @@ pub trait Scheme: Clone + Send + Sync + 'static {
     #[doc(hidden)]
     /// Its form for many bodies side by side, if it has one.
     const SIDE_BY_SIDE: Option<SideBySide> = None;
+    #[doc(hidden)]
+    /// Its name where a model may know its step in a form of its own.
+    const SHORTCUT: Option<Shortcut> = None;
     /// States that a step needs besides those that it goes from and to.
     const STATES: usize;
 
@@ -177,6 +180,9 @@ pub trait Scheme: Clone + Send + Sync + 'static {
 pub trait TurningScheme: Clone + Send + Sync + 'static {
     /// What it says of itself.
     fn card(&self) -> Card;
+    #[doc(hidden)]
+    /// Its name where a model may know its step in a form of its own.
+    const SHORTCUT: Option<Shortcut> = None;
     /// States that a step needs besides those that it goes from and to.
     const STATES: usize;
     /// Whether forces may depend on velocities.

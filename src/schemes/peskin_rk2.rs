@@ -8,7 +8,7 @@
 
 use super::families::{ROTATIONS, claims};
 use super::{Card, Scheme, SideBySide, Step};
-use crate::model::{Broken, Model};
+use crate::model::{Broken, Model, Shortcut};
 
 /// Peskin's scheme.
 #[derive(Clone, Copy, Debug)]
@@ -27,6 +27,7 @@ impl Scheme for PeskinRk2 {
         }
     }
     const SIDE_BY_SIDE: Option<SideBySide> = Some(SideBySide::PeskinRk2);
+    const SHORTCUT: Option<Shortcut> = Some(Shortcut::PeskinRk2);
     const STATES: usize = 1;
 
     #[inline(always)]

@@ -16,7 +16,7 @@ use super::families::{BALLISTIC, claims};
 use super::vector_form::hold;
 use super::{Card, Step, TurningScheme};
 use crate::arithmetic::Real;
-use crate::model::{Broken, Rates, Turning};
+use crate::model::{Broken, Rates, Shortcut, Turning};
 use crate::rotation::{rate_of, unit};
 
 /// The classical Runge–Kutta method on a quaternion.
@@ -36,6 +36,7 @@ impl TurningScheme for Rk4Quaternion {
             ],
         }
     }
+    const SHORTCUT: Option<Shortcut> = Some(Shortcut::Rk4Quaternion);
     const STATES: usize = 1;
     const TAKES_VELOCITY_FORCES: bool = true;
     const TAKES_RODS: bool = true;

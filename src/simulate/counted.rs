@@ -5,7 +5,7 @@ use std::cell::Cell;
 use nalgebra::{Quaternion, Vector3};
 
 use super::Outcome;
-use crate::model::{Broken, Model, Pointwise, Rotational, Snapshot, Turning};
+use crate::model::{Broken, Model, Pointwise, Rotational, Shortcut, Snapshot, Turning};
 use crate::rotation::Rotation;
 
 /// A model that counts the evaluations of its rates and the implicit equations solved on it.
@@ -52,6 +52,13 @@ impl<M: Model> Model for Counted<'_, M> {
     #[inline(always)]
     fn advance(&self, from: &M::State, s: M::Real, rates: &M::Rates, into: &mut M::State) {
         self.model.advance(from, s, rates, into);
+    }
+
+    #[inline(always)]
+    fn shortcut(&self, of: Shortcut, step: M::Real, steps: u64, state: &mut M::State) -> Option<u64> {
+        let taken = self.model.shortcut(of, step, steps, state)?;
+        self.evaluations.set(self.evaluations.get() + taken * of.evaluations());
+        Some(taken)
     }
 
     fn is_finite(&self, state: &M::State) -> bool {

@@ -17,7 +17,7 @@ use std::time::Instant;
 
 use crate::arithmetic::Real;
 use crate::interrupt;
-use crate::model::{Broken, Model, Pointwise, Snapshot, Turning};
+use crate::model::{Broken, Model, Pointwise, Shortcut, Snapshot, Turning};
 use crate::schemes::{PointScheme, Scheme, Step, TurningScheme, Workspace};
 
 use counted::Counted;
@@ -116,6 +116,7 @@ pub struct Trajectory {
 /// A step on a model: lets one loop drive schemes for every model and schemes in body axes.
 trait Stepping<M: Model> {
     const STATES: usize;
+    const SHORTCUT: Option<Shortcut>;
 
     fn step(&self, model: &M, step: Step<M>) -> Result<(), Broken>;
 }
@@ -125,6 +126,7 @@ struct OnAnyModel<S>(S);
 
 impl<S: Scheme, M: Model> Stepping<M> for OnAnyModel<S> {
     const STATES: usize = S::STATES;
+    const SHORTCUT: Option<Shortcut> = S::SHORTCUT;
 
     #[inline(always)]
     fn step(&self, model: &M, step: Step<M>) -> Result<(), Broken> {
@@ -137,6 +139,7 @@ struct InBodyAxes<S>(S);
 
 impl<S: TurningScheme, M: Turning> Stepping<M> for InBodyAxes<S> {
     const STATES: usize = S::STATES;
+    const SHORTCUT: Option<Shortcut> = S::SHORTCUT;
 
     #[inline(always)]
     fn step(&self, model: &M, step: Step<M>) -> Result<(), Broken> {
@@ -149,6 +152,7 @@ struct OnPoints<S>(S);
 
 impl<S: PointScheme, M: Pointwise> Stepping<M> for OnPoints<S> {
     const STATES: usize = S::STATES;
+    const SHORTCUT: Option<Shortcut> = None;
 
     #[inline(always)]
     fn step(&self, model: &M, step: Step<M>) -> Result<(), Broken> {
@@ -205,7 +209,23 @@ impl<'a, S: Stepping<Counted<'a, M>>, M: Model> Stepper<'a, S, M> {
     }
 
     /// Steps with one model.
-    fn take(&mut self, from: u64, to: u64) -> Result<(), (u64, Broken)> {
+    fn take(&mut self, mut from: u64, to: u64) -> Result<(), (u64, Broken)> {
+        if let Some(of) = S::SHORTCUT {
+            while let Some(taken) = self.model.shortcut(of, self.step, to - from, &mut self.now) {
+                std::hint::black_box(&self.now);
+                from += taken;
+                if from == to {
+                    return Ok(());
+                }
+                self.take_by_page(from, from + 1)?;
+                from += 1;
+            }
+        }
+        self.take_by_page(from, to)
+    }
+
+    /// The same, as the scheme's page says.
+    fn take_by_page(&mut self, from: u64, to: u64) -> Result<(), (u64, Broken)> {
         // Places are exchanged, not states: those of a small model would be copied with every step.
         let (mut now, mut next) = (&mut self.now, &mut self.next);
         let mut result = Ok(());

@@ -71,9 +71,12 @@ fn a_workspace_takes_states_and_history_of_another() {
     let start = model.start();
     let mut one = Workspace::<Free>::new(&start, 2);
     let mut other = Workspace::<Free>::new(&start, 2);
-    other.states[1] = start.inverse();
+    let turned = model.rates(0.0, &start).expect("a spin");
+    model.advance(&start, 0.5, &turned, &mut other.states[1]);
+    let moved = other.states[1];
+    assert_ne!(moved, start);
     let rates = FreeRates { spin: Vector3::x() };
     other.history.push(rates);
     one.copy_from(&other);
-    assert_eq!((one.states, one.history), (vec![start, start.inverse()], vec![rates]));
+    assert_eq!((one.states, one.history), (vec![start, moved], vec![rates]));
 }

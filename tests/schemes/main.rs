@@ -16,5 +16,6 @@ mod measured_elsewhere;
 mod one_step;
 mod orders_of_laws;
 mod orders_under_torque;
+mod shortcuts;
 mod solves;
 mod variants;

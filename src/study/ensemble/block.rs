@@ -5,7 +5,7 @@ use std::time::Instant;
 use nalgebra::{Quaternion, Vector3};
 
 use super::Member;
-use super::lanes::{self, Lane};
+use super::lanes::{self, Lane, Way};
 use crate::arithmetic::Registers;
 use crate::interrupt;
 use crate::model::{AnyModel, Free, Rotor, Snapshot, System, Turning};
@@ -48,10 +48,26 @@ impl Guest<'_> {
     fn lane(&self) -> Lane {
         let step = self.member.plan.step;
         match &self.body {
-            Body::Free(model) => Lane { step, ..turning(model) },
+            Body::Free(model) => {
+                let lane = turning(model);
+                let ahead = model.moving(step).seen_from(lane.attitude);
+                Lane { step, ahead, largest: model.turns_little(step).unwrap_or(0.0), ..lane }
+            }
             Body::Top(model, weight, center) => {
                 Lane { step, weight: (*weight).into(), center: (*center).into(), ..turning(model) }
             }
+        }
+    }
+
+    /// In which form the scheme steps the body.
+    pub(super) fn way(&self, scheme: SideBySide) -> Way {
+        match &self.body {
+            Body::Free(model)
+                if scheme == SideBySide::PeskinRk2 && model.turns_little(self.member.plan.step).is_some() =>
+            {
+                Way::MovingAxes
+            }
+            _ => Way::Page(scheme),
         }
     }
 
@@ -99,7 +115,7 @@ fn observe<M: Turning<Real = f64>>(model: &M, t: f64, lane: &Lane) -> Option<Sna
     model.observe(t, &state).ok()
 }
 
-/// Runs all of them; `None` where one needs a run of its own: it turned by more than a radian in a step, or broke, or the
+/// Runs all of them, which step in one form; `None` where one needs a run of its own: it turned by more than a radian in a step, or broke, or the
 /// user asked for the end.
 pub(super) fn run<T>(
     scheme: SideBySide,
@@ -108,6 +124,7 @@ pub(super) fn run<T>(
     begin: &impl Fn(usize) -> T,
     see: &impl Fn(&mut T, &Snapshot),
 ) -> Option<Vec<(T, Outcome)>> {
+    let way = guests.first()?.way(scheme);
     let mut lanes: Vec<Lane> = guests.iter().map(Guest::lane).collect();
     let mut kept: Vec<T> = guests.iter().map(|guest| begin(guest.index)).collect();
     let mut nanoseconds = vec![0.0; guests.len()];
@@ -121,7 +138,7 @@ pub(super) fn run<T>(
         let Some(next) = guests.iter().filter_map(|guest| guest.next(now)).min() else { break };
         let target = next.min(now + CHECKED_EVERY);
         let before = Instant::now();
-        let within = lanes::advance(registers, scheme, target - now, &mut lanes);
+        let within = lanes::advance(registers, way, target - now, &mut lanes);
         let running = guests.iter().filter(|guest| guest.member.plan.steps > now).count();
         let share = before.elapsed().as_nanos() as f64 / running as f64;
         for (guest, nanoseconds) in guests.iter().zip(&mut nanoseconds) {

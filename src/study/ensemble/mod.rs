@@ -15,6 +15,7 @@ use crate::model::{Broken, Snapshot, System};
 use crate::schemes::SideBySide;
 use crate::simulate::{Break, Contestant, Form, Outcome, Plan};
 use block::{Body, Guest};
+use lanes::Way;
 
 /// Bodies that are run together: as many as fit the widest registers twice.
 const TOGETHER: usize = 16;
@@ -109,11 +110,16 @@ impl<'a> Ensemble<'a> {
                 None => alone.push(index),
             }
         }
-        guests.sort_by_key(|(_, guest)| (guest.member.plan.steps, guest.member.plan.every));
+        let way = |(scheme, guest): &(SideBySide, Guest)| guest.way(*scheme);
+        guests.sort_by_key(|one| {
+            (way(one) == Way::MovingAxes, one.1.member.plan.steps, one.1.member.plan.every)
+        });
         let mut blocks: Vec<(SideBySide, Vec<Guest>)> = Vec::new();
         for (scheme, guest) in guests {
             match blocks.last_mut() {
-                Some((_, block)) if block.len() < TOGETHER => block.push(guest),
+                Some((_, block)) if block.len() < TOGETHER && block[0].way(scheme) == guest.way(scheme) => {
+                    block.push(guest);
+                }
                 _ => blocks.push((scheme, vec![guest])),
             }
         }
