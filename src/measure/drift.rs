@@ -72,42 +72,93 @@ pub fn rate_order(drift: &EnergyDrift) -> Decision {
 /// Measures the drift; `None` for a body under torque, without spin, too near the separatrix for many periods, or
 /// that breaks.
 pub fn energy_drift(contestant: &Contestant, system: &System, duration: f64) -> Option<EnergyDrift> {
-    let mut rotor = system.clone();
-    // Without steps of its own there is no order in h to a rate.
-    if !system.torque_free() || contestant.card.tolerance_exponent() > 0 {
-        return None;
+    energy_drift_within(contestant, system, duration, u64::MAX).unwrap_or_default()
+}
+
+/// The runs take more steps than there is time for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LeftOut;
+
+/// The same in so many steps of all runs together.
+///
+/// # Errors
+/// [`LeftOut`].
+pub fn energy_drift_within(
+    contestant: &Contestant,
+    system: &System,
+    duration: f64,
+    afforded: u64,
+) -> Result<Option<EnergyDrift>, LeftOut> {
+    match Course::of(contestant, system, duration) {
+        Some(course) => course.run(contestant, afforded),
+        None => Ok(None),
     }
-    rotor.forces = Forces::default();
-    let momentum = rotor.start.orientation.inverse_transform_vector(&rotor.start.angular_momentum);
-    let spin = rotation::length(&(rotor.body.inverse_inertia() * momentum));
-    let periods = PERIODS * polhode_period(&rotor).unwrap_or(0.0);
-    let long = periods.max(SHORTEST / spin).max(duration.min(LONGEST / spin));
-    if spin == 0.0 || long * spin > LONGEST {
-        return None;
-    }
-    let mut drift = EnergyDrift::default();
-    let (mut flat, mut taken) = (0, 0);
-    let claimed =
-        contestant.card.claims.iter().find_map(|c| if let Claim::Energy(e) = c { Some(*e) } else { None });
-    let most = match claimed {
-        Some(EnergyOfFreeBody::GrowsSecularly { .. } | EnergyOfFreeBody::Secular { .. }) => MOST_STEPS,
-        Some(_) => MOST_STEPS_OTHERWISE,
-        None => MOST_STEPS_UNASKED,
-    };
-    let secular = most == MOST_STEPS;
-    let mut turn = COARSEST_TURN;
-    while flat < FLAT && !matches!(rate_order(&drift), Decision::Order(_)) {
-        let steps = ((long * spin / turn).ceil() as u64).div_ceil(SAMPLES) * SAMPLES;
-        taken += steps;
-        if taken > most {
-            break;
+}
+
+/// The long runs of a scheme.
+struct Course {
+    /// The body without its forces.
+    rotor: System,
+    /// Largest |Ω| at the start [rad/s].
+    spin: f64,
+    /// Duration of a run [s].
+    long: f64,
+    /// Most steps of all runs together.
+    most: u64,
+    secular: bool,
+}
+
+impl Course {
+    fn of(contestant: &Contestant, system: &System, duration: f64) -> Option<Course> {
+        let mut rotor = system.clone();
+        // Without steps of its own there is no order in h to a rate.
+        if !system.torque_free() || contestant.card.tolerance_exponent() > 0 {
+            return None;
         }
-        let rung = run_rung(contestant, &rotor, long, steps)?;
-        let is_settled = is_flat(&rung, long) || !secular && is_bounded(&rung, long);
-        flat = if is_settled { flat + 1 } else { 0 };
-        turn /= RATIO;
-        drift.rungs.push(rung);
+        rotor.forces = Forces::default();
+        let momentum = rotor.start.orientation.inverse_transform_vector(&rotor.start.angular_momentum);
+        let spin = rotation::length(&(rotor.body.inverse_inertia() * momentum));
+        let periods = PERIODS * polhode_period(&rotor).unwrap_or(0.0);
+        let long = periods.max(SHORTEST / spin).max(duration.min(LONGEST / spin));
+        if spin == 0.0 || long * spin > LONGEST {
+            return None;
+        }
+        let claims = &contestant.card.claims;
+        let claimed = claims.iter().find_map(|c| if let Claim::Energy(e) = c { Some(*e) } else { None });
+        let most = match claimed {
+            Some(EnergyOfFreeBody::GrowsSecularly { .. } | EnergyOfFreeBody::Secular { .. }) => MOST_STEPS,
+            Some(_) => MOST_STEPS_OTHERWISE,
+            None => MOST_STEPS_UNASKED,
+        };
+        Some(Course { rotor, spin, long, most, secular: most == MOST_STEPS })
     }
+
+    fn run(&self, contestant: &Contestant, afforded: u64) -> Result<Option<EnergyDrift>, LeftOut> {
+        let Course { rotor, spin, long, most, secular } = self;
+        let mut drift = EnergyDrift::default();
+        let (mut flat, mut taken) = (0, 0);
+        let mut turn = COARSEST_TURN;
+        while flat < FLAT && !matches!(rate_order(&drift), Decision::Order(_)) {
+            let steps = ((long * spin / turn).ceil() as u64).div_ceil(SAMPLES) * SAMPLES;
+            taken += steps;
+            if taken > *most {
+                break;
+            }
+            if taken > afforded {
+                return Err(LeftOut);
+            }
+            let Some(rung) = run_rung(contestant, rotor, *long, steps) else { return Ok(None) };
+            let is_settled = is_flat(&rung, *long) || !secular && is_bounded(&rung, *long);
+            flat = if is_settled { flat + 1 } else { 0 };
+            turn /= RATIO;
+            drift.rungs.push(rung);
+        }
+        Ok(classified(drift, *long))
+    }
+}
+
+/// With its kind, and the run that stands for it.
+fn classified(mut drift: EnergyDrift, long: f64) -> Option<EnergyDrift> {
     let finest = drift.rungs.last()?;
     // A rate counts as clear at three times its uncertainty.
     let clear =

@@ -26,7 +26,7 @@ pub const BELOW: f64 = 0.1;
 /// Falls of r over the last two halvings, at least: half of what h does, on a logarithmic scale, and less for the earlier one.
 const FALLS: [f64; 2] = [1.3, 1.2];
 /// Fewest runs: two falls of r are seen in three pairs of them.
-const FEWEST: usize = 4;
+pub(super) const FEWEST: usize = 4;
 /// Fewest runs that are alike.
 const FEWEST_ALIKE: usize = 2;
 /// A step of at least so many times another is a halving away.

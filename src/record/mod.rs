@@ -25,6 +25,8 @@ mod published;
 mod subjects;
 #[cfg(feature = "cli")]
 mod tables;
+#[cfg(all(feature = "cli", target_os = "linux"))]
+mod unnamed;
 mod verdict;
 #[cfg(feature = "cli")]
 mod whole;
