@@ -10,8 +10,8 @@ fn engine(stage: &Stage, milliseconds: u32) -> String {
     stage.script(&format!(
         r#"while read -r line; do
             case $line in *'"ask":"run"'*)
-                steps="${{line##*'"steps":'}}"
-                steps="${{steps%%[,\}}]*}}"
+                steps=${{line##*'"steps":'}}
+                steps=${{steps%%[!0-9]*}}
                 echo "$steps" >> "$here/asked"
                 time=$((steps * {milliseconds}))
                 sleep "$((time / 1000)).$(printf %03d $((time % 1000)))"
