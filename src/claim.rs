@@ -143,6 +143,8 @@ words! {
         Stability = "stability",
         /// That runs of a scheme without an order come to their end.
         Run = "run",
+        /// The time that the user gives.
+        Budget = "budget",
         /// The sources of a reference.
         ReferencesAgree = "references-agree",
         /// The conventions of a trajectory file.
@@ -203,6 +205,9 @@ impl ClaimName {
             ClaimName::Reduction => "The least model and the mass points give the same motion, to rounding.",
             ClaimName::Stability => "The limit of stability on a spring-held body is the one on record.",
             ClaimName::Run => "Runs come to their end.",
+            ClaimName::Budget => {
+                "The time that --budget gives is enough for the runs that decide. A larger one decides what is named."
+            }
             ClaimName::ReferencesAgree => "The sources of a reference agree within their uncertainties.",
             ClaimName::Frames => {
                 "A trajectory file follows the conventions for its axes that it is read with."

@@ -21,6 +21,7 @@
 )]
 
 mod interrupt;
+mod journal;
 mod words;
 mod bounded;
 mod quantity;

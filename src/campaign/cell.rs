@@ -6,12 +6,11 @@ use serde::{Deserialize, Serialize};
 
 use super::{against_time, rows};
 use crate::claim::Claim;
-use crate::gates::{self, Baseline};
 use crate::measure::{self, Bounds, Climbed, Decision, Rung};
 use crate::model::Quantity;
 use crate::model::body::Shape;
 use crate::record::stability::LinearLimit;
-use crate::record::{Drift, Evidence, Measurement, Order, Series, Setting, Verdict};
+use crate::record::{Drift, Evidence, LeftOut, Measurement, Order, Series, Setting, Verdict};
 use crate::reference::Reference;
 use crate::rotation;
 use crate::scenes::Scene;
@@ -34,27 +33,31 @@ pub(super) struct Cell {
     pub(super) orders: Vec<Order>,
     pub(super) drifts: Vec<Drift>,
     pub(super) evidence: Arc<Evidence>,
+    /// Judged when the row is whole.
+    #[serde(skip)]
     pub(super) verdicts: Vec<Verdict>,
     pub(super) series: Vec<Series>,
 }
 
-/// Measures and judges.
+/// Measures; nothing is judged yet.
 pub(super) fn measure(
     scene: &Scene,
     reference: &Reference,
     contestant: &Contestant,
     bounds: Bounds,
-    baseline: &Baseline,
     series: bool,
 ) -> Cell {
     if let Some(reason) = contestant.refusal(&scene.system) {
         return refused(scene, contestant, &reason);
     }
+    if bounds.afforded == Some(0) {
+        return unaffordable(scene, contestant);
+    }
     let climbed = climb(scene, reference, contestant, bounds);
     if let Some(reason) = climbed.refusal() {
         return refused(scene, contestant, reason);
     }
-    let evidence = evidence(scene, reference, contestant, &climbed);
+    let evidence = evidence(scene, reference, contestant, (&climbed, bounds));
     let names = rows::Names { scene: &scene.name, scheme: contestant.card.name, model: climbed.model };
     let mut measurements = rows::measurements(&names, &climbed.rungs, contestant.has_own_clock());
     measurements.extend(evidence.drift.iter().flat_map(|drift| rows::drift_rates(&names, drift)));
@@ -62,7 +65,7 @@ pub(super) fn measure(
         measurements,
         orders: rows::orders(&names, &evidence),
         drifts: evidence.drift.iter().map(|drift| rows::drift(&names, drift)).collect(),
-        verdicts: gates::judge(&evidence, baseline),
+        verdicts: Vec::new(),
         series: if series {
             series_of(&names, (scene, reference), contestant, &climbed.rungs)
         } else {
@@ -73,16 +76,25 @@ pub(super) fn measure(
 }
 
 /// Everything that gates read.
-fn evidence(scene: &Scene, reference: &Reference, contestant: &Contestant, climbed: &Climbed) -> Evidence {
+fn evidence(
+    scene: &Scene,
+    reference: &Reference,
+    contestant: &Contestant,
+    (climbed, bounds): (&Climbed, Bounds),
+) -> Evidence {
     let (system, rungs) = (&scene.system, &climbed.rungs);
     let fastest = reference.states.iter().map(|s| rotation::length(&s.angular_velocity)).fold(0.0, f64::max);
     let asked = |claim: Claim| contestant.card.claims.contains(&claim);
+    let long_steps = bounds.afforded.map_or(u64::MAX, measure::long_steps);
+    let drift = measure::energy_drift_within(contestant, system, scene.duration, long_steps);
+    let left_out = LeftOut { steps: climbed.left_out, drift: drift.is_err(), seconds: 0.0 };
     let truth = asked(Claim::FlipTimes).then(|| measure::true_flips(system, reference, fastest)).flatten();
     Evidence {
         ladder: climbed.ladder.clone(),
         precise: climbed.precise.clone(),
         exactness: climbed.exactness.clone(),
-        drift: measure::energy_drift(contestant, system, scene.duration),
+        drift: drift.unwrap_or_default(),
+        left_out: (climbed.left_out.is_some() || left_out.drift).then_some(left_out),
         points: measure::point_run(contestant, system, scene.duration, fastest),
         flips: truth.and_then(|truth| measure::flips(contestant, system, &reference.states, fastest, truth)),
         reversal: asked(Claim::Reversible).then(|| measure::reversal(contestant, system, rungs)).flatten(),
@@ -135,11 +147,16 @@ pub(crate) fn unmeasured(scene: &Scene, contestant: &Contestant) -> Evidence {
     }
 }
 
+/// The order that the ladder of a scheme is climbed for; `None` in a scene that carries no order.
+pub(super) fn asked_order(scene: &Scene, contestant: &Contestant) -> Option<u32> {
+    let card = &contestant.card;
+    let order = if scene.system.torque_free() { card.order_without_torque() } else { card.order() };
+    scene.not_for_order.is_none().then_some(order)
+}
+
 /// The ladder of the order that the scheme claims in the scene, with the likeliest cause where a program solves another motion.
 fn climb(scene: &Scene, reference: &Reference, contestant: &Contestant, bounds: Bounds) -> Climbed {
-    let (system, card) = (&scene.system, &contestant.card);
-    let order = if system.torque_free() { card.order_without_torque() } else { card.order() };
-    let order = scene.not_for_order.is_none().then_some(order);
+    let (system, order) = (&scene.system, asked_order(scene, contestant));
     let mut climbed = measure::climb_within(contestant, system, reference, order, bounds);
     if contestant.is_foreign() && goes_elsewhere(&climbed) {
         let [finest, before] = &climbed.finest;
@@ -174,6 +191,20 @@ fn step_limit(_: &Scene, _: &Contestant) -> Option<LinearLimit> {
     None
 }
 
+/// A scheme that there is no time for in the scene.
+fn unaffordable(scene: &Scene, contestant: &Contestant) -> Cell {
+    let left_out = LeftOut { steps: Some(0), drift: true, seconds: 0.0 };
+    let evidence = Evidence { left_out: Some(left_out), ..unmeasured(scene, contestant) };
+    Cell {
+        measurements: Vec::new(),
+        orders: Vec::new(),
+        drifts: Vec::new(),
+        verdicts: Vec::new(),
+        series: Vec::new(),
+        evidence: Arc::new(evidence),
+    }
+}
+
 /// A scheme that cannot take the scene: not applicable, with the reason, for every claim.
 pub(super) fn refused(scene: &Scene, contestant: &Contestant, reason: &str) -> Cell {
     let evidence = Evidence { refused: Some(reason.to_owned()), ..unmeasured(scene, contestant) };
@@ -186,7 +217,7 @@ pub(super) fn refused(scene: &Scene, contestant: &Contestant, reason: &str) -> C
         measurements: vec![rows::not_applicable(&names, reason)],
         orders: Vec::new(),
         drifts: Vec::new(),
-        verdicts: gates::judge(&evidence, &Baseline::default()),
+        verdicts: Vec::new(),
         series: Vec::new(),
         evidence: Arc::new(evidence),
     }

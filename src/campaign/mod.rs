@@ -5,8 +5,8 @@
 
 pub(crate) mod cell;
 mod against_time;
+mod budget;
 mod costs;
-mod journal;
 mod motions;
 #[cfg(feature = "cli")]
 mod peers;
@@ -17,28 +17,35 @@ mod survey;
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
 
 use crate::gates::{self, Baseline};
 use crate::interrupt;
+use crate::journal;
 use crate::measure::Bounds;
-use crate::record::{Machine, Records, ReferenceEvidence, SCHEMA};
+use crate::record::{Machine, Records, ReferenceEvidence, SCHEMA, to_digits};
 use crate::reference::{Reference, ReferenceError, stored};
 use crate::scenes::Scene;
 use crate::simulate::Contestant;
 
+pub use crate::journal::{Earlier, Journal, JournalError};
+pub use budget::Estimate;
 pub(crate) use cell::unmeasured;
 pub(crate) use costs::{SECONDS_A_COST, add_costs, typical_step};
-pub use journal::Journal;
 pub(crate) use motions::motion;
 #[cfg(feature = "cli")]
 pub(crate) use peers::add_peers;
 pub use scaling::Sizes;
 pub use survey::{Survey, Task};
 
+use budget::Share;
+
 /// Samples of a reference over the run.
 const SAMPLES: usize = 256;
+/// Digits of an estimate of time.
+const SECONDS_DIGITS: usize = 2;
 
 /// What a campaign covers.
 pub struct Campaign<'a> {
@@ -52,7 +59,11 @@ pub struct Campaign<'a> {
     pub series: bool,
     /// The bounds of the runs of a scheme in a scene.
     pub bounds: &'a (dyn Fn(&str, &str) -> Bounds + Sync),
-    /// Finished cells on disk, where they are kept.
+    /// Time for all of it, where the user has no more: ladders end earlier, and what stays undecided for that is said.
+    pub budget: Option<Duration>,
+    /// Called with what all runs are expected to take, where there is a budget.
+    pub estimated: &'a (dyn Fn(Estimate) + Sync),
+    /// Finished rows on disk, where they are kept.
     pub journal: Option<&'a Journal>,
     /// Called as (done, of all) after every piece of work.
     pub progress: &'a (dyn Fn(usize, usize) + Sync),
@@ -65,6 +76,9 @@ struct Prepared<'a> {
     reference: Option<Result<Reference, ReferenceError>>,
 }
 
+/// A scene with what every scheme did in it.
+type Row<'a> = (Prepared<'a>, Vec<Option<cell::Cell>>);
+
 impl Campaign<'_> {
     /// A grid at its plainest: the constants of this version, nothing to draw, nobody to tell.
     pub fn of(scenes: Vec<Scene>, contestants: Vec<Contestant>) -> Campaign<'static> {
@@ -74,6 +88,8 @@ impl Campaign<'_> {
             baseline: Baseline::built_in(),
             series: false,
             bounds: &|_, _| Bounds::default(),
+            budget: None,
+            estimated: &|_| (),
             journal: None,
             progress: &|_, _| (),
         }
@@ -84,49 +100,63 @@ impl Campaign<'_> {
         let all = self.scenes.len() * (self.contestants.len() + 1);
         let done = AtomicUsize::new(0);
         let tick = || (self.progress)(done.fetch_add(1, Ordering::Relaxed) + 1, all);
-        // One scene or cell at a time to whoever is free: a thread that took many at once could be left alone with them.
-        let gone_through = self.scenes.par_iter().with_max_len(1).map(|scene| {
+        let prepared = |scene| {
             let prepared = (!interrupt::requested()).then(|| prepare(scene));
             tick();
-            let prepared = prepared?;
-            let cells = self.contestants.par_iter().with_max_len(1).map(|contestant| {
-                let cell = if interrupt::requested() { None } else { self.cell(&prepared, contestant) };
-                tick();
-                // What was running when the user asked for the end is not a whole cell.
-                cell.filter(|_| !interrupt::requested())
-            });
-            let cells: Vec<Option<cell::Cell>> = cells.collect();
-            Some((prepared, cells))
-        });
-        let gone_through: Vec<Option<(Prepared, Vec<Option<cell::Cell>>)>> = gone_through.collect();
+            // What was running when the user asked for the end is not whole.
+            prepared.filter(|_| !interrupt::requested())
+        };
+        // One scene or cell at a time to whoever is free: a thread that took many at once could be left alone with them.
+        let scenes = self.scenes.par_iter().with_max_len(1);
+        let gone_through: Vec<Option<Row>> = match self.budget {
+            None => scenes.map(|scene| Some(self.row(prepared(scene)?, &[], &tick))).collect(),
+            Some(budget) => {
+                let begun = Instant::now();
+                let prepared: Vec<Option<Prepared>> = scenes.map(prepared).collect();
+                let (shares, estimate) = budget::shares(self, &prepared, (budget, begun));
+                (self.estimated)(estimate);
+                let rows = prepared.into_par_iter().zip(shares).with_max_len(1);
+                rows.map(|(prepared, shares)| Some(self.row(prepared?, &shares, &tick))).collect()
+            }
+        };
         self.records(gone_through.into_iter().flatten().collect())
     }
 
-    fn cell(&self, prepared: &Prepared, contestant: &Contestant) -> Option<cell::Cell> {
-        if let Some(reason) = &prepared.scene.only_for_stability {
-            return Some(cell::refused(prepared.scene, contestant, reason));
-        }
+    /// Every scheme in a scene, each within its share where there are shares.
+    fn row<'a>(&self, prepared: Prepared<'a>, shares: &[Share], tick: &(dyn Fn() + Sync)) -> Row<'a> {
+        let cells = self.contestants.par_iter().enumerate().with_max_len(1).map(|(index, contestant)| {
+            let cell = self.cell(&prepared, contestant, shares.get(index).copied().unwrap_or_default());
+            tick();
+            cell
+        });
+        let cells = cells.collect();
+        (prepared, cells)
+    }
+
+    fn cell(&self, prepared: &Prepared, contestant: &Contestant, share: Share) -> Option<cell::Cell> {
+        let cell = match &prepared.scene.only_for_stability {
+            Some(reason) => cell::refused(prepared.scene, contestant, reason),
+            None => self.measured(prepared, contestant, share)?,
+        };
+        Some(cell::Cell { verdicts: gates::judge(&cell.evidence, &self.baseline), ..cell })
+    }
+
+    /// Measured now, or by an earlier run. A cell is found by all that determines it but the baseline.
+    fn measured(&self, prepared: &Prepared, contestant: &Contestant, share: Share) -> Option<cell::Cell> {
         let reference = prepared.reference.as_ref()?.as_ref().ok()?;
-        let bounds = (self.bounds)(&prepared.scene.name, contestant.card.name);
-        let measure =
-            || cell::measure(prepared.scene, reference, contestant, bounds, &self.baseline, self.series);
-        let Some(journal) = self.journal else { return Some(measure()) };
         let (scene, card) = (prepared.scene, &contestant.card);
+        let bounds = Bounds { afforded: share.finest, ..(self.bounds)(&scene.name, card.name) };
         let known_as = contestant.program().map_or(String::new(), |program| program.name);
-        let what = (&scene.name, scene.content(), card.name, known_as, bounds, &card.claims, self.series);
-        let key = format!("{what:?}");
-        if let Some(known) = journal.find(&key) {
-            let verdicts = gates::judge(&known.evidence, &self.baseline);
-            return Some(cell::Cell { verdicts, ..known.clone() });
-        }
-        let cell = measure();
-        if !interrupt::requested() {
-            journal.add(key, &cell);
+        let key = (&scene.name, scene.content(), card.name, known_as, bounds, &card.claims, self.series);
+        let measure = || cell::measure(scene, reference, contestant, bounds, self.series);
+        let mut cell = journal::row(self.journal, &key, measure)?;
+        if let Some(left_out) = &mut Arc::make_mut(&mut cell.evidence).left_out {
+            left_out.seconds = to_digits(share.seconds, SECONDS_DIGITS);
         }
         Some(cell)
     }
 
-    fn records(&self, scenes: Vec<(Prepared, Vec<Option<cell::Cell>>)>) -> Records {
+    fn records(&self, scenes: Vec<Row>) -> Records {
         let mut records = Records {
             schema: SCHEMA.to_owned(),
             polhode: env!("CARGO_PKG_VERSION").to_owned(),

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use super::typical_step;
-use crate::interrupt;
+use crate::journal::{self, Journal};
 use crate::model::body::Shape;
 use crate::model::{Snapshot, System};
 use crate::record::{Motion, Records, TIME_DIGITS, to_digits};
@@ -25,14 +25,20 @@ const TYPICAL_STEPS: f64 = 8.0;
 const DIGITS: usize = 3;
 
 /// Adds the motions of the scenes whose bodies turn.
-pub(super) fn add_motions(records: &mut Records, scenes: &[Scene], contestants: &[Contestant]) {
+pub(super) fn add_motions(
+    records: &mut Records,
+    scenes: &[Scene],
+    contestants: &[Contestant],
+    journal: Option<&Journal>,
+) {
     let shown =
         |scene: &&Scene| scene.only_for_stability.is_none() && scene.system.body.shape != Shape::Point;
     let scenes: Vec<&Scene> = scenes.iter().filter(shown).collect();
-    let rows = scenes
-        .par_iter()
-        .with_max_len(1)
-        .map(|scene| if interrupt::requested() { Vec::new() } else { of_scene(scene, contestants) });
+    let names: Vec<&str> = contestants.iter().map(|one| one.card.name).collect();
+    let rows = scenes.par_iter().with_max_len(1).filter_map(|scene| {
+        let key = ("motion", &scene.name, scene.content(), &names);
+        journal::row(journal, &key, || of_scene(scene, contestants))
+    });
     let rows: Vec<Vec<Motion>> = rows.collect();
     records.motions.extend(rows.into_iter().flatten().map(Arc::new));
 }

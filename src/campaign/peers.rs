@@ -1,6 +1,9 @@
 //! Foreign programs beside one another and beside the schemes of the list, at equal steps.
 
+use std::slice;
+
 use crate::engine::compare::{self, Peers};
+use crate::journal::{self, Journal};
 use crate::record::Records;
 use crate::scenes::Scene;
 use crate::simulate::Contestant;
@@ -11,10 +14,28 @@ pub fn add_peers(
     records: &mut Records,
     scenes: &[Scene],
     contestants: &[Contestant],
+    journal: Option<&Journal>,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) {
-    if contestants.iter().any(|contestant| contestant.program().is_some()) {
-        let Peers { rows, twins } = compare::compare(scenes, contestants, &Contestant::all(), progress);
-        (records.peers, records.twins) = (rows, twins);
+    if contestants.iter().all(|contestant| contestant.program().is_none()) {
+        return;
     }
+    let (others, known_as) = (Contestant::all(), known_as(contestants));
+    for (index, scene) in scenes.iter().enumerate() {
+        let measure = || {
+            let Peers { rows, twins } =
+                compare::compare(slice::from_ref(scene), contestants, &others, &|_, _| ());
+            (rows, twins)
+        };
+        let key = ("peers", &scene.name, scene.content(), &known_as);
+        let (rows, twins) = journal::row(journal, &key, measure).unwrap_or_default();
+        records.peers.extend(rows);
+        records.twins.extend(twins);
+        progress(index + 1, scenes.len());
+    }
+}
+
+/// The names of contestants, those that programs give themselves beside them.
+fn known_as(contestants: &[Contestant]) -> Vec<(&str, Option<String>)> {
+    contestants.iter().map(|one| (one.card.name, one.program().map(|program| program.name))).collect()
 }

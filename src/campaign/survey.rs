@@ -7,6 +7,7 @@ use super::motions::add_motions;
 use super::reduction::add_reductions;
 use super::scaling::{Sizes, add_scaling};
 use super::{Campaign, SECONDS_A_COST, add_costs};
+use crate::journal::Journal;
 use crate::record::Records;
 #[cfg(feature = "cli")]
 use crate::record::{Request, stability::Map};
@@ -45,6 +46,8 @@ pub struct Survey<'a> {
     pub growth: bool,
     /// Whether steps are timed.
     pub timed: bool,
+    /// Finished rows on disk, where they are kept. Times are measured anew.
+    pub journal: Option<&'a Journal>,
     /// Called as (task, done, of all) after every piece of work.
     pub progress: &'a (dyn Fn(Task, usize, usize) + Sync),
 }
@@ -83,6 +86,7 @@ impl Survey<'_> {
             precision: false,
             growth: false,
             timed: true,
+            journal: None,
             progress: &|_, _, _| (),
         }
     }
@@ -103,7 +107,7 @@ impl Survey<'_> {
         if self.every_scheme {
             self.add_every_scheme(&mut records);
         }
-        add_motions(&mut records, &self.scenes, &self.contestants);
+        add_motions(&mut records, &self.scenes, &self.contestants, self.journal);
         self.add_peers(&mut records);
         self.add_published(&mut records);
         self.add_precision(&mut records);
@@ -128,7 +132,7 @@ impl Survey<'_> {
 
     fn measure(&self, grid: Campaign) -> Records {
         let progress = |done, all| (self.progress)(Task::Measuring, done, all);
-        Campaign { progress: &progress, ..grid }.run()
+        Campaign { progress: &progress, journal: self.journal, ..grid }.run()
     }
 
     /// The schemes that the grid does not have, in the scenes of every scheme.
@@ -151,7 +155,7 @@ impl Survey<'_> {
     #[cfg(feature = "cli")]
     fn add_peers(&self, records: &mut Records) {
         let progress = |done, all| (self.progress)(Task::Comparing, done, all);
-        super::add_peers(records, &self.scenes, &self.contestants, &progress);
+        super::add_peers(records, &self.scenes, &self.contestants, self.journal, &progress);
     }
 
     /// Published numbers are computed with the feature `cli`.
@@ -162,7 +166,7 @@ impl Survey<'_> {
     #[cfg(feature = "cli")]
     fn add_published(&self, records: &mut Records) {
         if self.published {
-            match crate::study::published::rows() {
+            match crate::study::published::rows(self.journal) {
                 Ok(rows) => records.published = rows,
                 Err(_) => records.complete = false,
             }
@@ -180,7 +184,7 @@ impl Survey<'_> {
         }
         let contestants = self.main();
         let scenes = precision::SCENES.iter().filter_map(|name| Scene::find(name).ok()).collect();
-        match precision::rows(scenes, &contestants) {
+        match precision::rows(scenes, &contestants, self.journal) {
             Ok(rows) => records.precision = rows,
             Err(_) => records.complete = false,
         }

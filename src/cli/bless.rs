@@ -60,7 +60,7 @@ pub(super) fn bless(options: &Options, quiet: bool) -> Result<u8, Failure> {
     let old = Records::read(path).ok().filter(|old| !old.provenance.is_empty());
     let mut records = match &options.from {
         Some(path) => Records::read(path)?,
-        None => measured::measured(&options.selection, None, Baseline::default(), None, quiet)?,
+        None => measured::measured(&options.selection, (None, None), Baseline::default(), None, quiet)?,
     };
     if interrupt::requested() {
         return Ok(0);

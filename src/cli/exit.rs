@@ -1,6 +1,7 @@
 //! Exit codes, and what they are given for.
 
 use crate::bounded::FileError;
+use crate::campaign::JournalError;
 use crate::engine::{self, EngineError};
 use crate::inspect::InspectError;
 use crate::interrupt;
@@ -36,6 +37,9 @@ pub enum Failure {
     /// A report.
     #[error(transparent)]
     Report(#[from] ReportError),
+    /// Finished rows of a run.
+    #[error(transparent)]
+    Journal(#[from] JournalError),
     /// Standard output or a file while it was written.
     #[error("{name}: {source}")]
     Write {
@@ -86,6 +90,7 @@ impl Failure {
             | Failure::Config(_) => BAD_INPUT,
             Failure::Record(RecordError::File { .. } | RecordError::Foreign { .. })
             | Failure::Report(_)
+            | Failure::Journal(_)
             | Failure::Write { .. } => FILE,
         }
     }

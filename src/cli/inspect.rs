@@ -9,6 +9,7 @@ use super::exit::UNDECIDED;
 use super::output::print;
 use crate::inspect::{self, Inspection, Stepping, Summary, Verdict, Written};
 use crate::model::Quantity;
+use crate::record;
 use crate::simulate::Contestant;
 use crate::study::advice::Question;
 
@@ -76,9 +77,10 @@ fn write(folder: &Path, scenes: &[Written]) -> Result<(), Failure> {
         if std::fs::read_to_string(&path).is_ok_and(|text| text == written.text) {
             continue;
         }
-        let mut file = std::fs::File::create_new(&path).map_err(|source| failed(&path, source))?;
-        std::io::Write::write_all(&mut file, written.text.as_bytes())
-            .map_err(|source| failed(&path, source))?;
+        if path.symlink_metadata().is_ok() {
+            return Err(failed(&path, std::io::ErrorKind::AlreadyExists.into()));
+        }
+        record::write_whole(&path, written.text.as_bytes())?;
     }
     Ok(())
 }

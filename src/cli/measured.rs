@@ -1,12 +1,13 @@
 //! A campaign under the settings of the folder, for the commands that judge it.
 
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use super::Failure;
 use super::config::Config;
 use super::progress::with_bar;
 use super::select::Selection;
-use crate::campaign::{Campaign, Journal};
+use crate::campaign::{Campaign, Estimate, Journal};
 use crate::gates::Baseline;
 use crate::record::Records;
 
@@ -24,10 +25,10 @@ pub(super) fn baseline(file: Option<&Path>) -> Result<Baseline, Failure> {
     Ok(baseline.with_tolerances(Config::current().tolerances.clone()))
 }
 
-/// Measures schemes in scenes, each scheme held to `order` or to that of the settings where there is one.
+/// Measures schemes in scenes within `budget`, each scheme held to `order` or to that of the settings where there is one.
 pub(super) fn measured(
     selection: &Selection,
-    order: Option<u32>,
+    (order, budget): (Option<u32>, Option<Duration>),
     baseline: Baseline,
     journal: Option<&Journal>,
     quiet: bool,
@@ -39,7 +40,14 @@ pub(super) fn measured(
     }
     let grid = Campaign::of(selection.scenes()?, contestants);
     let bounds = |scene: &str, _: &str| config.bounds(scene);
+    let say = |Estimate { seconds, cells, cut }: Estimate| {
+        if !quiet {
+            eprintln!(
+                "polhode: all runs take about {seconds:.2} s; the budget cuts those of {cut} of {cells} schemes in scenes"
+            );
+        }
+    };
     Ok(with_bar(quiet, "measuring", |progress| {
-        Campaign { baseline, bounds: &bounds, journal, progress, ..grid }.run()
+        Campaign { baseline, bounds: &bounds, budget, estimated: &say, journal, progress, ..grid }.run()
     }))
 }

@@ -1,7 +1,7 @@
 //! The command line: one file a subcommand. Data goes to stdout, talk and progress to stderr.
 //!
 //! No file of a subcommand uses the file of another one: what several need stands in `config`, `exit`, `faults`,
-//! `measured`, `output`, `progress` and `select`.
+//! `measured`, `output`, `progress`, `resume` and `select`.
 
 mod advise;
 mod bless;
@@ -23,6 +23,7 @@ mod output;
 mod progress;
 mod reference;
 mod replay;
+mod resume;
 mod report;
 mod run;
 mod scene;

@@ -7,8 +7,9 @@ use clap::Args;
 use super::Failure;
 use super::output::{Force, painted, print};
 use super::progress::{with_bar, with_tasks};
+use super::resume::with_journal;
 use super::select::Selection;
-use crate::campaign::{Sizes, Survey};
+use crate::campaign::{Journal, Sizes, Survey};
 use crate::gates;
 use crate::interrupt;
 use crate::record::{Capsule, Records, write_json};
@@ -43,7 +44,10 @@ pub(super) struct Options {
     /// Print the tables of a paper in this language; no folder is written
     #[arg(long, value_name = "LANGUAGE", value_parser = ["markdown", "latex"], conflicts_with_all = ["out", "brief", "single_file"])]
     format: Option<String>,
-    /// Write scenes, records, version and hashes into this file, for `polhode replay`
+    /// Go on where a killed run into the same folder stopped
+    #[arg(long, conflicts_with_all = ["from", "format"])]
+    resume: bool,
+    /// Write scenes, records, version and hashes, for `polhode replay`
     #[arg(long, value_name = "FILE", conflicts_with = "from")]
     capsule: Option<PathBuf>,
 }
@@ -74,26 +78,36 @@ fn survey(options: &Options) -> Result<Survey<'static>, Failure> {
 
 pub(super) fn report(options: &Options, quiet: bool) -> Result<u8, Failure> {
     options.force.try_json(options.capsule.as_ref())?;
+    if let Some(name) = &options.format {
+        let language = if name == "latex" { Language::Latex } else { Language::Markdown };
+        let records = records(options, None, quiet)?;
+        print(&report::paper_tables(&records, language))?;
+        return Ok(gates::exit_code(&records.verdicts));
+    }
     let out = folder(options);
-    let asked = options.format.as_deref();
-    let language = asked.map(|name| if name == "latex" { Language::Latex } else { Language::Markdown });
-    if language.is_none() {
-        let (records, pages) = if options.brief {
-            ("verdicts.json", &["report.md"][..])
-        } else {
-            ("records.json", &["report.md", "index.html", "records.csv"][..])
-        };
-        report::try_folder(&out, records, pages, options.force.given)?;
-    }
-    let records = match &options.from {
-        Some(path) => Records::read(path)?,
-        None => measured(options, quiet)?,
+    let (file, pages) = if options.brief {
+        ("verdicts.json", &["report.md"][..])
+    } else {
+        ("records.json", &["report.md", "index.html", "records.csv"][..])
     };
-    match language {
-        Some(language) => print(&report::paper_tables(&records, language))?,
-        None => draw(options, &records, &out, quiet)?,
+    report::try_folder(&out, file, pages, options.force.given)?;
+    let whole = |journal: Option<&Journal>| -> Result<u8, Failure> {
+        let records = records(options, journal, quiet)?;
+        draw(options, &records, &out, quiet)?;
+        Ok(gates::exit_code(&records.verdicts))
+    };
+    match options.from {
+        Some(_) => whole(None),
+        None => with_journal(Some(&out.join(file)), (options.resume, options.force, quiet), whole),
     }
-    Ok(gates::exit_code(&records.verdicts))
+}
+
+/// Read, or measured.
+fn records(options: &Options, journal: Option<&Journal>, quiet: bool) -> Result<Records, Failure> {
+    match &options.from {
+        Some(path) => Ok(Records::read(path)?),
+        None => measured(options, journal, quiet),
+    }
 }
 
 fn folder(options: &Options) -> PathBuf {
@@ -106,11 +120,12 @@ fn folder(options: &Options) -> PathBuf {
 }
 
 /// Runs the survey, and writes the capsule where one is asked for.
-fn measured(options: &Options, quiet: bool) -> Result<Records, Failure> {
+fn measured(options: &Options, journal: Option<&Journal>, quiet: bool) -> Result<Records, Failure> {
     let survey = survey(options)?;
     let request = survey.request();
-    let records = with_tasks(quiet, |progress| Survey { progress, ..survey }.run());
-    if let Some(path) = &options.capsule {
+    let records = with_tasks(quiet, |progress| Survey { progress, journal, ..survey }.run());
+    // Half a run is not worth running again.
+    if let Some(path) = options.capsule.as_ref().filter(|_| !interrupt::requested()) {
         let texts = options.selection.texts()?;
         write_json(path, &Capsule::new(texts, request, &records))?;
     }

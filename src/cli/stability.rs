@@ -1,14 +1,16 @@
 //! `polhode stability`: where methods fail.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 
 use super::Failure;
 use super::output::{Force, Format, print};
 use super::progress::with_bar;
+use super::resume::with_journal;
 use super::select::Selection;
-use crate::campaign;
+use crate::campaign::{self, Journal};
+use crate::interrupt;
 use crate::record;
 use crate::record::stability::Stability;
 use crate::report;
@@ -40,6 +42,9 @@ pub(super) struct Options {
     /// Steps of the long runs, up to 1e9; 0 for none [default: 300000, or 10000000 with --full]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(..=1_000_000_000))]
     long: Option<u64>,
+    /// Go on where a killed run into the same place stopped
+    #[arg(long)]
+    resume: bool,
     /// Write the limits and lines that the gate and the list hold, as references/stability.json
     #[arg(long, value_name = "FILE")]
     store: Option<PathBuf>,
@@ -85,33 +90,55 @@ pub(super) fn stability(options: &Options, quiet: bool) -> Result<u8, Failure> {
         Some(_) => options.force.try_json(options.store.as_ref())?,
         None => report::try_folder(&out, "stability.json", &["stability.md"], options.force.given)?,
     }
-    let study = measure(options, scenes, contestants, quiet);
-    if let Some(path) = &options.store {
-        let kept = Stability {
-            limits: Vec::new(),
-            maps: Vec::new(),
-            long_runs: Vec::new(),
-            energy_law: Vec::new(),
-            kink_orders: Vec::new(),
-            machine: record::Machine::default(),
-            made_at: String::new(),
-            ..study
-        };
-        record::write_json(path, &kept)?;
-        return Ok(0);
+    let file = options.store.clone().unwrap_or_else(|| out.join("stability.json"));
+    with_journal(Some(&file), (options.resume, options.force, quiet), |journal| {
+        let study = measure(options, (scenes, contestants), journal, quiet);
+        match &options.store {
+            Some(path) => store(study, path)?,
+            None => write(options, &study, &out, quiet)?,
+        }
+        Ok(0)
+    })
+}
+
+/// Writes what the gate and the list hold. Half of it is worth nothing to them.
+fn store(study: Stability, path: &Path) -> Result<(), Failure> {
+    if interrupt::requested() {
+        return Ok(());
     }
-    report::write_stability(&study, &out)?;
+    let kept = Stability {
+        limits: Vec::new(),
+        maps: Vec::new(),
+        long_runs: Vec::new(),
+        energy_law: Vec::new(),
+        kink_orders: Vec::new(),
+        machine: record::Machine::default(),
+        made_at: String::new(),
+        ..study
+    };
+    Ok(record::write_json(path, &kept)?)
+}
+
+fn write(options: &Options, study: &Stability, out: &Path, quiet: bool) -> Result<(), Failure> {
+    // Pictures of half a study are not worth the wait.
+    let pictures = !interrupt::requested();
+    report::write_stability(study, out, pictures)?;
     print(&match options.format {
-        Format::Text => report::stability_table(&study),
+        Format::Text => report::stability_table(study),
         Format::Json => format!("{:#}\n", serde_json::json!(study)),
     })?;
     if !quiet {
         eprintln!("polhode: the study is {}", out.join("stability.md").display());
     }
-    Ok(0)
+    Ok(())
 }
 
-fn measure(options: &Options, scenes: Vec<Scene>, contestants: Vec<Contestant>, quiet: bool) -> Stability {
+fn measure(
+    options: &Options,
+    (scenes, contestants): (Vec<Scene>, Vec<Contestant>),
+    journal: Option<&Journal>,
+    quiet: bool,
+) -> Stability {
     let storing = options.store.is_some();
     let of_full = |pair: (u64, u64)| if options.full { pair.1 } else { pair.0 };
     let cells = options.cells.unwrap_or(if options.full { CELLS.1 } else { CELLS.0 });
@@ -129,6 +156,7 @@ fn measure(options: &Options, scenes: Vec<Scene>, contestants: Vec<Contestant>, 
         long_steps,
         scenes,
         contestants,
+        journal,
         progress: &|_, _| (),
     };
     let study = with_bar(quiet, "searching", |progress| Study { progress, ..study }.run());

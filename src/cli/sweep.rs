@@ -5,8 +5,10 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 
 use super::output::{Force, print};
+use super::resume::with_journal;
 use super::{Failure, select};
 use crate::campaign;
+use crate::interrupt;
 use crate::record;
 use crate::report::heat_map::{HeatMap, Map, Range, Scale};
 use crate::report::line_chart::{Line, LineChart, LinePanel};
@@ -43,6 +45,9 @@ pub(super) struct Options {
     /// File for the picture
     #[arg(long, value_name = "FILE.png")]
     plot: Option<PathBuf>,
+    /// Go on where a killed run with the same --out stopped
+    #[arg(long, requires = "out")]
+    resume: bool,
     #[command(flatten)]
     force: Force,
 }
@@ -92,20 +97,23 @@ pub(super) fn sweep(options: &Options, quiet: bool) -> Result<u8, Failure> {
     if !quiet {
         eprintln!("polhode: {runs} runs of {} under {}", scene.name, options.schemes.join(", "));
     }
-    let rows = sweep.run(&contestants);
-    let text = csv(&sweep, &rows);
-    match &options.out {
-        Some(path) => record::write_whole(path, text.as_bytes())?,
-        None => print(&text)?,
-    }
-    if !quiet {
-        say(options, &sweep, &rows);
-    }
-    if let Some(path) = picture {
-        let names = contestants.iter().map(|contestant| contestant.card.name).collect();
-        draw(&Drawn { options, scene: &scene, sweep: &sweep, names, rows: &rows }, &path, quiet)?;
-    }
-    Ok(0)
+    with_journal(options.out.as_deref(), (options.resume, options.force, quiet), |journal| {
+        let rows = sweep.run(&contestants, journal);
+        let text = csv(&sweep, &rows);
+        match &options.out {
+            Some(path) => record::write_whole(path, text.as_bytes())?,
+            None => print(&text)?,
+        }
+        if !quiet {
+            say(options, &sweep, &rows);
+        }
+        // The picture of half a sweep is not drawn.
+        if let Some(path) = picture.filter(|_| !interrupt::requested()) {
+            let names = contestants.iter().map(|contestant| contestant.card.name).collect();
+            draw(&Drawn { options, scene: &scene, sweep: &sweep, names, rows: &rows }, &path, quiet)?;
+        }
+        Ok(0)
+    })
 }
 
 /// Which steps were taken, why a column is empty, and where the table is.
@@ -204,7 +212,7 @@ fn csv(sweep: &Sweep, rows: &[Row]) -> String {
     writer.write_record(&header).expect("a vector takes every row");
     let number = |value: Option<f64>| value.map_or(String::new(), |value| value.to_string());
     for row in rows {
-        let mut fields = vec![row.scheme.to_owned()];
+        let mut fields = vec![row.scheme.clone()];
         fields.extend(row.values.iter().map(f64::to_string));
         fields.extend([row.step.to_string(), row.steps.to_string(), row.status.to_string()]);
         fields.extend([row.why.clone().unwrap_or_default(), number(row.error), number(row.energy)]);

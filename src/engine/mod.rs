@@ -13,6 +13,7 @@ mod check;
 pub mod compare;
 mod contract;
 mod error;
+mod guard;
 mod hello;
 mod laws;
 mod memory;

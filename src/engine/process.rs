@@ -2,7 +2,7 @@
 //!
 //! Each of its three pipes has a thread of its own, so that none can block another: a child that reads nothing,
 //! prints without end or writes megabytes of log stops nobody. A child leads a process group, so that what it
-//! has started itself ends with it.
+//! has started itself ends with it; [`super::guard`] ends it where this process is killed.
 
 use std::io::{BufRead, BufReader, Read, Write};
 use std::path::Path;
@@ -16,7 +16,7 @@ use std::time::{Duration, Instant};
 use serde_json::Value;
 
 use super::error::Fault;
-use super::{lock, memory};
+use super::{guard, lock, memory};
 use crate::interrupt;
 
 /// Time between two looks at the clock, the user and the memory.
@@ -34,6 +34,7 @@ static RUNNING: Mutex<Vec<u32>> = Mutex::new(Vec::new());
 pub fn end_all() {
     for group in lock(&RUNNING).drain(..) {
         kill_group(group);
+        guard::end(group);
     }
 }
 
@@ -59,11 +60,13 @@ impl Process {
         command.args(&words[1..]).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
         #[cfg(unix)]
         std::os::unix::process::CommandExt::process_group(&mut command, 0);
+        guard::get_ready();
         let mut running = lock(&RUNNING);
         let mut child = command.spawn().map_err(|error| Fault::NotStarted {
             program: words[0].clone(),
             why: why_not(&words[0], &error),
         })?;
+        guard::begin(child.id());
         running.push(child.id());
         drop(running);
         let (requests, to_write) = mpsc::channel();
@@ -189,6 +192,7 @@ impl Process {
         if let Some(index) = running.iter().position(|group| *group == self.child.id()) {
             running.swap_remove(index);
             kill_group(self.child.id());
+            guard::end(self.child.id());
         }
         drop(running);
         // It may have ended already; then there is nothing to kill, only to wait for.

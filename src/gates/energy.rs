@@ -12,6 +12,10 @@ pub(super) const RATE: &str = "rotational-energy-rate";
 
 pub(super) fn judge(evidence: &Evidence, claim: EnergyOfFreeBody) -> Vec<Verdict> {
     let Some(drift) = &evidence.drift else {
+        // The gate of the budget says so.
+        if evidence.left_out.is_some_and(|left_out| left_out.drift) {
+            return Vec::new();
+        }
         let detail = "the body is not free of torque, does not turn, is too near the separatrix for many periods, or a run broke";
         return vec![ruled(evidence, ClaimName::Energy, "rotational-energy", Ruling::NotApplicable, detail)];
     };

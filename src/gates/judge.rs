@@ -1,8 +1,9 @@
 //! Every claim to its gate: the match is exhaustive.
 
 use super::{
-    Baseline, deviations, energy, equivariant, evaluations, exact, flip_times, follows_tolerance, on_record,
-    order, reduction, reference, reversible, rigid, ruled, solves, stability, symplectic, vertical_momentum,
+    Baseline, budget, deviations, energy, equivariant, evaluations, exact, flip_times, follows_tolerance,
+    on_record, order, reduction, reference, reversible, rigid, ruled, solves, stability, symplectic,
+    vertical_momentum,
 };
 use crate::claim::Claim;
 use crate::record::{Evidence, Records, Ruling, Verdict};
@@ -13,6 +14,9 @@ pub fn judge(evidence: &Evidence, baseline: &Baseline) -> Vec<Verdict> {
         let of_claim =
             |claim: &Claim| ruled(evidence, claim.name(), "all", Ruling::NotApplicable, reason.as_str());
         return evidence.claims.iter().map(of_claim).collect();
+    }
+    if evidence.is_unaffordable() {
+        return budget::judge(evidence).into_iter().collect();
     }
     let mut verdicts = Vec::new();
     for claim in &evidence.claims {
@@ -36,6 +40,7 @@ pub fn judge(evidence: &Evidence, baseline: &Baseline) -> Vec<Verdict> {
     verdicts.extend(on_record::judge_cell(evidence, baseline));
     verdicts.push(reduction::judge(evidence));
     verdicts.extend(stability::judge(evidence));
+    verdicts.extend(budget::judge(evidence));
     if evidence.setting.built_in {
         deviations::apply(&mut verdicts);
     }

@@ -3,6 +3,7 @@
 //! `judge` matches on [`Claim`] exhaustively: a claim without a gate does not compile.
 
 pub(crate) mod baseline;
+mod budget;
 mod deviations;
 mod energy;
 mod equivariant;

@@ -14,9 +14,9 @@ const FEWEST_STEPS: u64 = 4;
 /// Radians turned in a step of the coarsest run, of the body or of a force's own clock, at most.
 const COARSEST_TURN: f64 = 1.6;
 /// Every ladder comes down to this many steps, or to rounding: a term of lower order that the leading one hides shows at the fine end …
-const FINE: u64 = 2048;
+pub(super) const FINE: u64 = 2048;
 /// … after so many runs at least.
-const FEWEST_RUNGS: usize = 6;
+pub(super) const FEWEST_RUNGS: usize = 6;
 /// Steps after which a ladder that is not decided ends, …
 const MOST_STEPS: u64 = 1 << 17;
 /// … or after so many halvings, where its first run has many steps.
@@ -37,6 +37,8 @@ pub struct Bounds {
     pub coarsest: Option<u64>,
     /// Most steps of a run.
     pub finest: Option<u64>,
+    /// Most steps of a run that there is time for; no run at all where it is 0.
+    pub afforded: Option<u64>,
 }
 
 /// Runs a ladder. `order` is the claimed one, 0 where none is claimed: a ladder whose orders are below it goes on to the finest steps. Without
@@ -45,7 +47,7 @@ pub fn climb(contestant: &Contestant, system: &System, reference: &Reference, or
     climb_within(contestant, system, reference, order, Bounds::default())
 }
 
-/// The same within bounds.
+/// The same within bounds. Where they end a ladder earlier than its rule does, it is the time that is short.
 pub fn climb_within(
     contestant: &Contestant,
     system: &System,
@@ -65,35 +67,42 @@ pub fn climb_within(
         rungs: Vec::new(),
         finest: [Vec::new(), Vec::new()],
         truth: Vec::new(),
+        left_out: None,
     };
     let precise = Precise::new(contestant, &truth);
-    let steps = steps(contestant, phase, order.unwrap_or_default(), bounds);
-    for steps in steps.iter().copied() {
-        let (rung, shown, states) = truth.run(contestant, steps, &mut climbed.ladder);
+    let asked = steps(contestant, phase, order.unwrap_or_default(), bounds);
+    let affordable = |steps: &u64| bounds.afforded.is_none_or(|most| *steps <= most);
+    let (steps, left_out) = asked.split_at(asked.partition_point(affordable));
+    let is_done = steps.iter().any(|steps| {
+        let (rung, shown, states) = truth.run(contestant, *steps, &mut climbed.ladder);
         climbed.ladder.rungs.push(rung);
         climbed.rungs.push(shown);
         climbed.finest.swap(0, 1);
         climbed.finest[0] = states;
-        if climbed.refusal().is_some() || is_done(contestant, &climbed, order, precise.is_some()) {
-            break;
-        }
-    }
-    let odd: Vec<u64> = match decisive(&climbed.ladder) {
-        _ if climbed.refusal().is_some() || contestant.chooses_steps() => Vec::new(),
-        _ if system.steady_spin() => GIANT_STEPS.to_vec(),
-        steps => steps.map(|steps| 3 * steps / 2 + 1).into_iter().collect(),
-    };
+        climbed.refusal().is_some() || is_done(contestant, &climbed, order, precise.is_some())
+    });
+    climbed.left_out = left_out.first().copied().filter(|_| !is_done);
+    let odd = odd_steps(contestant, system, &climbed).into_iter();
     // A step across a jump of the laws says nothing of a scheme.
-    let odd = odd.into_iter().filter(|steps| ends_at_jumps(system, reference, *steps));
+    let odd = odd.filter(|steps| ends_at_jumps(system, reference, *steps));
     climbed.ladder.odd = odd.map(|steps| truth.odd(contestant, steps)).collect();
     if let Some(precise) = precise {
-        climbed.precise = precise.climb(&climbed.ladder, &steps, order.unwrap_or_default());
+        climbed.precise = precise.climb(&climbed.ladder, steps, order.unwrap_or_default());
         climbed.exactness = steps.first().and_then(|first| precise.exactness(&climbed.ladder, *first));
     }
     climbed.truth = truth.states();
     shortened(&mut climbed.ladder);
     climbed.precise.iter_mut().chain(&mut climbed.exactness).for_each(shortened);
     climbed
+}
+
+/// Steps of the runs beside a ladder, an odd number each.
+fn odd_steps(contestant: &Contestant, system: &System, climbed: &Climbed) -> Vec<u64> {
+    match decisive(&climbed.ladder) {
+        _ if climbed.refusal().is_some() || contestant.chooses_steps() => Vec::new(),
+        _ if system.steady_spin() => GIANT_STEPS.to_vec(),
+        steps => steps.map(|steps| 3 * steps / 2 + 1).into_iter().collect(),
+    }
 }
 
 /// Steps of the coarser of the two runs that decide an order, the most of any quantity; of a run in the middle where all are exact.
@@ -107,7 +116,7 @@ fn decisive(ladder: &record::Ladder) -> Option<u64> {
 }
 
 /// Radians turned by the fastest of the body and the forces' own clocks.
-fn phase(system: &System, reference: &Reference) -> f64 {
+pub(super) fn phase(system: &System, reference: &Reference) -> f64 {
     let fastest = reference.states.iter().map(|s| rotation::length(&s.angular_velocity)).fold(0.0, f64::max);
     fastest.max(system.forces.fastest_clock()) * reference.times[reference.times.len() - 1]
 }
@@ -133,7 +142,7 @@ fn quarters(reference: &Reference, phase: f64) -> u32 {
 
 /// The steps of the runs, each twice as many as before, and from [`HIGH_ORDER`] on 3/2 and 4/3 times as many by turns; so are those of a solver
 /// that chooses its own, which name its tolerances alone.
-fn steps(contestant: &Contestant, phase: f64, order: u32, bounds: Bounds) -> Vec<u64> {
+pub(super) fn steps(contestant: &Contestant, phase: f64, order: u32, bounds: Bounds) -> Vec<u64> {
     let least = (phase / COARSEST_TURN).min(contestant.most_steps() as f64).ceil() as u64;
     let first = bounds.coarsest.unwrap_or(least.next_power_of_two()).max(FEWEST_STEPS);
     let most = MOST_STEPS.max(first << MOST_HALVINGS).min(contestant.most_steps());

@@ -35,6 +35,8 @@ const MOST_STEPS_OTHERWISE: u64 = 1_000_000;
 const MOST_STEPS_UNASKED: u64 = 100_000;
 /// Most steps of all runs in double-double together.
 const MOST_PRECISE_STEPS: u64 = 400_000;
+/// Steps in f64 that one in double-double costs, at most.
+const PRECISE_COST: u64 = 50;
 /// A rate counts as clear at so many times its uncertainty: three rates show an uncertainty as well as three copies a rounding.
 const SEEN: f64 = CLEAR * BELOW;
 /// Samples of a run.
@@ -91,33 +93,41 @@ pub fn order_of_parts(drift: &EnergyDrift) -> Decision {
 /// Measures the drift; `None` for a body under torque, without spin, too near the separatrix for many periods, or
 /// that breaks.
 pub fn energy_drift(contestant: &Contestant, system: &System, duration: f64) -> Option<EnergyDrift> {
-    let mut rotor = system.clone();
-    // Without steps of its own there is no order in h to a rate.
-    if !system.torque_free() || contestant.card.tolerance_exponent() > 0 {
-        return None;
+    energy_drift_within(contestant, system, duration, u64::MAX).unwrap_or_default()
+}
+
+/// The runs take more steps than there is time for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LeftOut;
+
+/// The same in so many steps of all runs together.
+///
+/// # Errors
+/// [`LeftOut`].
+pub fn energy_drift_within(
+    contestant: &Contestant,
+    system: &System,
+    duration: f64,
+    afforded: u64,
+) -> Result<Option<EnergyDrift>, LeftOut> {
+    let Some((rotor, runs)) = LongRuns::of(contestant, system, duration) else { return Ok(None) };
+    let Some(rungs) = runs.ladder(&rotor, runs.most, afforded)? else { return Ok(None) };
+    let mut drift = EnergyDrift { rungs, ..EnergyDrift::default() };
+    if runs.secular()
+        && contestant.runs_in_double_double()
+        && is_hidden(&drift, runs.long)
+        && let Ok(precise) = System::<DoubleDouble>::of(&rotor)
+    {
+        let Some(rungs) = runs.ladder(&precise, MOST_PRECISE_STEPS, afforded / PRECISE_COST)? else {
+            return Ok(None);
+        };
+        drift = EnergyDrift { rungs, double_double: true, ..drift };
     }
-    rotor.forces = Forces::default();
-    let momentum = rotor.start.orientation.inverse_transform_vector(&rotor.start.angular_momentum);
-    let spin = rotation::length(&(rotor.body.inverse_inertia() * momentum));
-    let periods = PERIODS * polhode_period(&rotor).unwrap_or(0.0);
-    let long = periods.max(SHORTEST / spin).max(duration.min(LONGEST / spin));
-    if spin == 0.0 || long * spin > LONGEST {
-        return None;
-    }
-    let claimed =
-        contestant.card.claims.iter().find_map(|c| if let Claim::Energy(e) = c { Some(*e) } else { None });
-    let most = match claimed {
-        Some(EnergyOfFreeBody::GrowsSecularly { .. } | EnergyOfFreeBody::Secular { .. }) => MOST_STEPS,
-        Some(_) => MOST_STEPS_OTHERWISE,
-        None => MOST_STEPS_UNASKED,
-    };
-    let runs = LongRuns { contestant, long, spin, steady: rotor.steady_spin(), secular: most == MOST_STEPS };
-    let mut drift = EnergyDrift { rungs: runs.ladder(&rotor, most)?, ..EnergyDrift::default() };
-    if runs.secular && contestant.runs_in_double_double() && is_hidden(&drift, long) {
-        let precise = System::<DoubleDouble>::of(&rotor).ok()?;
-        drift.rungs = runs.ladder(&precise, MOST_PRECISE_STEPS)?;
-        drift.double_double = true;
-    }
+    Ok(classified(drift, runs.long))
+}
+
+/// With its kind, and the run that stands for it.
+fn classified(mut drift: EnergyDrift, long: f64) -> Option<EnergyDrift> {
     let finest = drift.rungs.last()?;
     let clear = |rung: &EnergyRung| {
         rung.rate.abs() > (SEEN * rung.uncertainty.abs()).max(rung.rounding / BELOW / long)
@@ -160,13 +170,53 @@ struct LongRuns<'a> {
     /// Radians turned in a second.
     spin: f64,
     steady: bool,
-    /// Whether a rate is promised.
-    secular: bool,
+    /// Most steps of all runs together.
+    most: u64,
 }
 
 impl LongRuns<'_> {
+    /// The body without its forces, and its runs; `None` where none are measured.
+    fn of<'a>(
+        contestant: &'a Contestant,
+        system: &System,
+        duration: f64,
+    ) -> Option<(System, LongRuns<'a>)> {
+        let mut rotor = system.clone();
+        // Without steps of its own there is no order in h to a rate.
+        if !system.torque_free() || contestant.card.tolerance_exponent() > 0 {
+            return None;
+        }
+        rotor.forces = Forces::default();
+        let momentum = rotor.start.orientation.inverse_transform_vector(&rotor.start.angular_momentum);
+        let spin = rotation::length(&(rotor.body.inverse_inertia() * momentum));
+        let periods = PERIODS * polhode_period(&rotor).unwrap_or(0.0);
+        let long = periods.max(SHORTEST / spin).max(duration.min(LONGEST / spin));
+        if spin == 0.0 || long * spin > LONGEST {
+            return None;
+        }
+        let claims = &contestant.card.claims;
+        let claimed = claims.iter().find_map(|c| if let Claim::Energy(e) = c { Some(*e) } else { None });
+        let most = match claimed {
+            Some(EnergyOfFreeBody::GrowsSecularly { .. } | EnergyOfFreeBody::Secular { .. }) => MOST_STEPS,
+            Some(_) => MOST_STEPS_OTHERWISE,
+            None => MOST_STEPS_UNASKED,
+        };
+        let steady = rotor.steady_spin();
+        Some((rotor, LongRuns { contestant, long, spin, steady, most }))
+    }
+
+    /// Whether a rate is promised.
+    fn secular(&self) -> bool {
+        self.most == MOST_STEPS
+    }
+
     /// The runs in an arithmetic, until the order of the rate is decided or there is none; `None` where one breaks.
-    fn ladder<T: Arithmetic>(&self, rotor: &System<T>, most: u64) -> Option<Vec<EnergyRung>> {
+    fn ladder<T: Arithmetic>(
+        &self,
+        rotor: &System<T>,
+        most: u64,
+        afforded: u64,
+    ) -> Result<Option<Vec<EnergyRung>>, LeftOut> {
         let mut drift = EnergyDrift::default();
         let (mut flat, mut taken, mut turn) = (0, 0, COARSEST_TURN);
         while flat < FLAT && !matches!(rate_order(&drift), Decision::Order(_)) {
@@ -175,13 +225,18 @@ impl LongRuns<'_> {
             if taken > most {
                 break;
             }
-            let rung = run_rung(self.contestant, rotor, (self.long, steps, self.steady))?;
-            let is_settled = is_flat(&rung, self.long) || !self.secular && is_bounded(&rung, self.long);
+            if taken > afforded {
+                return Err(LeftOut);
+            }
+            let Some(rung) = run_rung(self.contestant, rotor, (self.long, steps, self.steady)) else {
+                return Ok(None);
+            };
+            let is_settled = is_flat(&rung, self.long) || !self.secular() && is_bounded(&rung, self.long);
             flat = if is_settled { flat + 1 } else { 0 };
             turn /= RATIO;
             drift.rungs.push(rung);
         }
-        Some(drift.rungs)
+        Ok(Some(drift.rungs))
     }
 }
 

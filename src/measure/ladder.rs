@@ -39,6 +39,8 @@ pub struct Climbed {
     pub finest: [Vec<Snapshot>; 2],
     /// The truth at the same times.
     pub truth: Vec<Snapshot>,
+    /// Steps of the coarsest run that there is no time for, where it would have been made.
+    pub left_out: Option<u64>,
 }
 
 impl Climbed {

@@ -58,12 +58,20 @@ pub struct Evidence {
     /// The same run in other worlds.
     #[serde(default, skip_serializing_if = "Vec::is_empty", with = "columns")]
     pub other_worlds: Vec<OtherWorld>,
+    /// What the budget of time leaves out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub left_out: Option<LeftOut>,
     /// The limit of stability on a spring-held body.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub step_limit: Option<LinearLimit>,
 }
 
 impl Evidence {
+    /// Whether the budget leaves out every run.
+    pub fn is_unaffordable(&self) -> bool {
+        self.left_out.is_some_and(|left_out| left_out.steps.is_some()) && self.ladder.rungs.is_empty()
+    }
+
     /// The claimed order of convergence in this scene; 0 where none is claimed.
     pub fn order(&self) -> u32 {
         let claimed = |wanted: fn(&Claim) -> Option<u32>| self.claims.iter().find_map(wanted);
@@ -74,6 +82,17 @@ impl Evidence {
         let everywhere = claimed(|claim| if let Claim::Order(order) = claim { Some(*order) } else { None });
         without_torque.filter(|_| self.setting.torque_free).or(everywhere).unwrap_or(0)
     }
+}
+
+/// What a budget of time leaves out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct LeftOut {
+    /// Steps of the coarsest run of halved steps that is not made; `None` where all are.
+    pub steps: Option<u64>,
+    /// Whether the long runs of a free body are not made.
+    pub drift: bool,
+    /// Estimate of the time that all runs of the scheme in the scene take [s].
+    pub seconds: f64,
 }
 
 /// What a scene is to a claim.

@@ -26,6 +26,8 @@ mod rule;
 mod subjects;
 #[cfg(feature = "cli")]
 mod tables;
+#[cfg(all(feature = "cli", target_os = "linux"))]
+mod unnamed;
 mod verdict;
 #[cfg(feature = "cli")]
 mod whole;

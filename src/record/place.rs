@@ -58,7 +58,7 @@ pub(crate) fn try_place(path: &Path, force: bool, own: impl Fn(&str) -> bool) ->
             if file.exists() && !force && !own(&head(&file).map_err(fail)?) {
                 return Err(RecordError::Foreign { path: path.into() });
             }
-            tempfile::Builder::new().prefix(".polhode-").tempfile_in(folder(&file)).map(drop).map_err(fail)
+            tempfile::tempfile_in(folder(&file)).map(drop).map_err(fail)
         }
     }
 }

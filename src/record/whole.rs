@@ -1,5 +1,5 @@
-//! Files whose final name never stands for half of them: a temporary neighbour, then a rename. Devices, pipes and links are written
-//! through.
+//! Files whose final name never stands for half of them: a file without a name, or else a temporary neighbour, takes it when it is whole.
+//! Devices, pipes and links are written through.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Write};
@@ -17,10 +17,26 @@ pub struct WholeFile {
 }
 
 enum Sink {
+    /// A file without a name, and the name that it takes.
+    #[cfg(target_os = "linux")]
+    Unnamed(BufWriter<File>, PathBuf),
     /// A neighbour, and the name that it takes.
     Neighbour(BufWriter<NamedTempFile>, PathBuf),
     /// A device or a pipe.
     Through(BufWriter<File>),
+}
+
+impl Sink {
+    /// Of a file that takes its name at the end.
+    fn whole(target: PathBuf) -> io::Result<Sink> {
+        let folder = place::folder(&target);
+        #[cfg(target_os = "linux")]
+        if let Some(file) = super::unnamed::begin(folder) {
+            return Ok(Sink::Unnamed(BufWriter::new(file), target));
+        }
+        let file = tempfile::Builder::new().prefix(".polhode-").tempfile_in(folder)?;
+        Ok(Sink::Neighbour(BufWriter::new(file), target))
+    }
 }
 
 impl WholeFile {
@@ -35,11 +51,7 @@ impl WholeFile {
                 let file = OpenOptions::new().append(true).open(device).map_err(fail)?;
                 Sink::Through(BufWriter::new(file))
             }
-            Way::Whole(target) => {
-                let mut builder = tempfile::Builder::new();
-                let file = builder.prefix(".polhode-").tempfile_in(place::folder(&target)).map_err(fail)?;
-                Sink::Neighbour(BufWriter::new(file), target)
-            }
+            Way::Whole(target) => Sink::whole(target).map_err(fail)?,
         };
         Ok(WholeFile { path: path.into(), sink })
     }
@@ -53,6 +65,11 @@ impl WholeFile {
         let fail = |source| RecordError::File { path: path.clone(), source };
         match sink {
             Sink::Through(mut file) => file.flush().map_err(fail),
+            #[cfg(target_os = "linux")]
+            Sink::Unnamed(file, target) => {
+                let file = file.into_inner().map_err(|error| fail(error.into_error()))?;
+                file.sync_all().and_then(|()| super::unnamed::take_name(&file, &target)).map_err(fail)
+            }
             Sink::Neighbour(file, target) => {
                 let file = file.into_inner().map_err(|error| fail(error.into_error()))?;
                 file.as_file().sync_all().and_then(|()| open_to_readers(&file)).map_err(fail)?;
@@ -67,6 +84,8 @@ impl Write for WholeFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         match &mut self.sink {
             Sink::Neighbour(file, _) => file.write(bytes),
+            #[cfg(target_os = "linux")]
+            Sink::Unnamed(file, _) => file.write(bytes),
             Sink::Through(file) => file.write(bytes),
         }
     }
@@ -74,6 +93,8 @@ impl Write for WholeFile {
     fn flush(&mut self) -> io::Result<()> {
         match &mut self.sink {
             Sink::Neighbour(file, _) => file.flush(),
+            #[cfg(target_os = "linux")]
+            Sink::Unnamed(file, _) => file.flush(),
             Sink::Through(file) => file.flush(),
         }
     }

@@ -30,6 +30,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
+use crate::interrupt;
 use crate::record::{CSV_FILES, RecordError, Records, WholeFile, write_csv, write_json, write_whole};
 
 pub use brief::write_brief;
@@ -64,6 +65,9 @@ pub enum ReportError {
         /// What the drawing backend said.
         why: String,
     },
+    /// The user asks for the end before all pictures are drawn.
+    #[error("interrupted")]
+    Interrupted,
     /// A page could not be composed.
     #[error("{}: the page could not be composed: {why}", path.display())]
     Page {
@@ -259,6 +263,9 @@ fn draw(
 ) -> Result<Vec<Figure>, ReportError> {
     let done = AtomicUsize::new(0);
     let one = |subject: &Subject| {
+        if interrupt::requested() {
+            return Err(ReportError::Interrupted);
+        }
         let fault = |plot::Fault(why)| ReportError::Picture { path: out.join(subject.file_name()), why };
         let figure = match plot::lay_out(records, main, subject).map_err(fault)? {
             Some(picture) => {
@@ -282,6 +289,9 @@ fn write_vectors(
     out: &Path,
 ) -> Result<Vec<String>, ReportError> {
     let one = |subject: &Subject| {
+        if interrupt::requested() {
+            return Err(ReportError::Interrupted);
+        }
         let name = format!("plots/{}.svg", subject.file_stem());
         let path = out.join(&name);
         let fault = |plot::Fault(why)| ReportError::Picture { path: path.clone(), why };

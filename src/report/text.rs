@@ -125,7 +125,9 @@ fn remark<'a>(sizes: &Sizes<'a>, cell: &Cell<'a>) -> Option<Remark<'a>> {
     let alike = || cell.verdicts.iter().copied().filter(|verdict| Outcome::of(verdict) == outcome);
     let of_record = || alike().filter(|verdict| verdict.claim == ClaimName::OrderOnRecord);
     let whole = |verdict: &&Verdict| verdict.quantity == "body-point";
-    let lead = of_record().find(whole).or(of_record().next()).or(alike().find(whole)).unwrap_or(first);
+    let budget = alike().find(|verdict| verdict.claim == ClaimName::Budget);
+    let lead = of_record().find(whole).or(of_record().next()).or(budget);
+    let lead = lead.or(alike().find(whole)).unwrap_or(first);
     let red = cell.verdicts.iter().filter(|verdict| !Outcome::of(verdict).is_green()).count();
     let more = if red > 1 { format!(" (and {} more)", red - 1) } else { String::new() };
     let (scheme, scene) = (cell.scheme, cell.scene);

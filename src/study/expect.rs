@@ -68,7 +68,7 @@ impl Bracket {
         if !STEPS.contains(&above) {
             return None;
         }
-        let bounds = Bounds { coarsest: Some(above / 2), finest: Some(above) };
+        let bounds = Bounds { coarsest: Some(above / 2), finest: Some(above), ..Bounds::default() };
         Some(Bracket { climbed: measure::climb_within(contestant, &scene.system, reference, None, bounds) })
     }
 

@@ -15,6 +15,7 @@
 use rayon::prelude::*;
 
 use crate::arithmetic::{DoubleDouble, Real, Single};
+use crate::journal::{self, Journal};
 use crate::measure::{self, Sight};
 use crate::model::{Quantity, Snapshot, System, SystemError, difference, larger};
 use crate::record::{Growth, PrecisionRow, PrecisionRun, Reach};
@@ -219,11 +220,18 @@ fn growth(runs: &[PrecisionRun]) -> Option<Growth> {
 ///
 /// # Errors
 /// [`BenchError`].
-pub fn rows(scenes: Vec<Scene>, contestants: &[Contestant]) -> Result<Vec<PrecisionRow>, BenchError> {
+pub fn rows(
+    scenes: Vec<Scene>,
+    contestants: &[Contestant],
+    journal: Option<&Journal>,
+) -> Result<Vec<PrecisionRow>, BenchError> {
     let benches: Vec<Bench> = scenes.into_par_iter().map(Bench::new).collect::<Result<_, BenchError>>()?;
     let cells: Vec<(&Bench, &Contestant)> =
         benches.iter().flat_map(|bench| contestants.iter().map(move |one| (bench, one))).collect();
-    let rows = cells.into_par_iter().with_max_len(1).filter_map(|(bench, one)| bench.rows(one));
+    let rows = cells.into_par_iter().with_max_len(1).filter_map(|(bench, one)| {
+        let key = ("precision", &bench.scene.name, bench.scene.content(), one.card.name);
+        journal::row(journal, &key, || bench.rows(one)).flatten()
+    });
     Ok(rows.flatten_iter().collect())
 }
 

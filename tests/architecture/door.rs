@@ -9,7 +9,7 @@ fn read(path: &str) -> String {
 }
 
 /// Modules of the command line that several subcommands may use.
-const SHARED: [&str; 7] = ["config", "exit", "measured", "output", "progress", "select", "Failure"];
+const SHARED: [&str; 8] = ["config", "exit", "measured", "output", "progress", "resume", "select", "Failure"];
 
 #[test]
 fn no_subcommand_uses_the_file_of_another_one() {

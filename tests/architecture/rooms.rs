@@ -28,13 +28,14 @@ const ROOMS: [&str; 19] = [
     "study",
 ];
 /// What several rooms share, or a single function for users.
-const HELPERS: [&str; 8] =
-    ["assertion", "bounded", "guide", "interrupt", "ode", "prelude", "quantity", "words"];
+const HELPERS: [&str; 9] =
+    ["assertion", "bounded", "guide", "interrupt", "journal", "ode", "prelude", "quantity", "words"];
 
 /// A room and those it may use.
 const EDGES: &[(&str, &[&str])] = &[
     ("bounded", &[]),
     ("interrupt", &[]),
+    ("journal", &["interrupt"]),
     ("words", &[]),
     ("quantity", &[]),
     ("claim", &["quantity", "words"]),
@@ -54,6 +55,7 @@ const EDGES: &[(&str, &[&str])] = &[
         &[
             "arithmetic",
             "interrupt",
+            "journal",
             "measure",
             "model",
             "ode",
@@ -76,6 +78,7 @@ const EDGES: &[(&str, &[&str])] = &[
             "engine",
             "gates",
             "interrupt",
+            "journal",
             "measure",
             "model",
             "record",
@@ -124,7 +127,7 @@ const EDGES: &[(&str, &[&str])] = &[
             "simulate",
         ],
     ),
-    ("report", &["quantity", "record"]),
+    ("report", &["interrupt", "quantity", "record"]),
     (
         "cli",
         &[

@@ -1,57 +1,60 @@
-//! A gate that is killed leaves whole rows, and goes on from there.
+//! A command that is killed leaves whole rows, and goes on from there.
 
 use std::fs;
-use std::path::Path;
-use std::process::{Command, Stdio};
-
-use serde_json::Value;
 
 use crate::common::program::{code, polhode_in, scratch, stderr};
+use crate::killing::{commands, random};
 
-const GATE: [&str; 8] = ["gate", "--jobs", "1", "--json", "now.json", "--scheme", "peskin-rk2", "--scheme"];
-const SCENES: [&str; 7] =
-    ["euler", "free-asymmetric", "kovalevskaya", "dzhanibekov", "free-oblate", "free-rod", "tether-springs"];
-
-fn gate(folder: &Path, more: &[&str]) -> Value {
-    let output = polhode_in(folder, &[&GATE[..], &SCENES, more].concat());
-    assert_eq!(code(&output), 0, "{}", stderr(&output));
-    assert!(!folder.join("now.json.rows").exists());
-    let text = fs::read_to_string(folder.join("now.json")).expect("written");
-    let mut records: Value = serde_json::from_str(&text).expect("JSON");
-    (records["made_at"], records["machine"]) = (Value::Null, Value::Null);
-    records
+#[test]
+fn a_killed_command_leaves_whole_rows_and_ends_with_the_files_of_an_unbroken_one() {
+    for (command, seed) in commands().iter().zip(1..) {
+        let whole = command.unbroken();
+        let kills = command.killed_until_it_ends(&whole, 4, &mut random(seed));
+        assert!(kills > 0, "{:?}", command.arguments);
+    }
 }
 
-#[cfg(unix)]
+#[cfg(target_os = "linux")]
 #[test]
-fn a_killed_gate_resumes_and_ends_with_the_records_of_an_unbroken_one() {
-    let whole = gate(scratch().path(), &["--quiet"]);
+fn rows_of_a_run_that_did_not_end_are_not_thrown_away_unless_that_is_asked_for() {
     let folder = scratch();
+    let gate = |more: &[&str]| {
+        let options =
+            ["gate", "free-rod", "euler", "--scheme", "euler", "--scheme", "heun", "--json", "now.json"];
+        polhode_in(folder.path(), &[&options[..], more].concat())
+    };
     let rows = folder.path().join("now.json.rows");
-    let lines = || fs::read_to_string(&rows).unwrap_or_default().matches('\n').count();
-    for wanted in [2, 5, 9] {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_polhode"))
-            .current_dir(folder.path())
-            .args([&GATE[..], &SCENES, &["--resume", "--quiet"]].concat())
-            .stdout(Stdio::null())
-            .stderr(Stdio::null())
-            .spawn()
-            .expect("the program runs");
-        // At a moment that the journal names, not the clock.
-        while lines() < wanted && child.try_wait().expect("a status").is_none() {
-            std::thread::yield_now();
-        }
-        let _ = child.kill();
-        child.wait().expect("it ends");
-        let text = fs::read_to_string(&rows).unwrap_or_default();
-        let torn = if text.ends_with('\n') { 0 } else { 1 };
-        let readable = text.lines().filter(|line| serde_json::from_str::<Value>(line).is_ok()).count();
-        assert!(readable + torn >= text.lines().count(), "{text}");
-    }
-    // A line that was cut is measured again.
-    let text = fs::read_to_string(&rows).expect("rows");
+    // The records are written and the next file cannot be: the rows stay.
+    let full = || {
+        assert_eq!(code(&gate(&["--junit", "/dev/full"])), 74);
+        fs::read_to_string(&rows).expect("rows")
+    };
+    let text = full();
+    assert_eq!(text.lines().count(), 5);
+    let refused = gate(&[]);
+    assert_eq!(code(&refused), 74, "{}", stderr(&refused));
+    assert!(["--resume", "--force", " 4 "].iter().all(|word| stderr(&refused).contains(word)));
+    assert_eq!(fs::read_to_string(&rows).expect("kept"), text);
+    // A row that is cut is measured again.
     fs::write(&rows, &text[..text.len() - 10]).expect("written");
-    assert_eq!(gate(folder.path(), &["--resume", "--quiet"]), whole);
-    // Without --resume nothing is kept.
-    assert_eq!(gate(folder.path(), &["--quiet"]), whole);
+    let resumed = gate(&["--resume"]);
+    assert_eq!(code(&resumed), 0, "{}", stderr(&resumed));
+    assert!(stderr(&resumed).contains("3 rows"), "{}", stderr(&resumed));
+    assert!(!rows.exists());
+    full();
+    let anew = gate(&["--force"]);
+    assert!(code(&anew) == 0 && !stderr(&anew).contains("rows") && !rows.exists(), "{}", stderr(&anew));
+    // Rows of another program are no rows.
+    fs::write(&rows, "my notes").expect("written");
+    assert_eq!(code(&gate(&["--resume"])), 74);
+    assert_eq!(fs::read_to_string(&rows).expect("kept"), "my notes");
+}
+
+#[test]
+fn a_command_that_cannot_begin_leaves_no_rows() {
+    let folder = scratch();
+    let output =
+        polhode_in(folder.path(), &["gate", "--scheme", "engine:/no/such/program", "--json", "now.json"]);
+    assert_eq!(code(&output), 69, "{}", stderr(&output));
+    assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 0);
 }

@@ -10,6 +10,9 @@ mod changed_logs;
 #[path = "../common/mutated_logs.rs"]
 mod mutated_logs;
 
+#[path = "../common/killing.rs"]
+mod killing;
+
 mod advice;
 mod advise_and_sweep;
 mod baselines;
@@ -20,6 +23,7 @@ mod explained_logs;
 mod files;
 mod help;
 mod inspect;
+mod interrupted;
 mod judge;
 mod killed;
 mod lists;

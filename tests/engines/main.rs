@@ -6,6 +6,7 @@
 mod common;
 
 mod behaving;
+mod budget;
 mod contract;
 mod misbehaving;
 mod peers;

@@ -174,6 +174,30 @@ fn an_interrupt_ends_the_engines_and_leaves_nothing_behind() {
 }
 
 #[test]
+fn a_harness_that_is_killed_leaves_no_engine_behind() {
+    let stage = Stage::new();
+    // It ignores the end of its input, and so does what it has started.
+    let scheme = stage.script(&format!(
+        "trap '' TERM HUP INT; sleep 1000 & echo $! > \"$here/child\"; {HELLO}; read -r line; echo $$ > \"$here/self\"; while :; do sleep 1000; done"
+    ));
+    let mut harness = Command::new(env!("CARGO_BIN_EXE_polhode"))
+        .args(["gate", "--quiet", "--scheme", &scheme, "--scene", "free-asymmetric"])
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the program runs");
+    while !stage.text("self").ends_with('\n') && harness.try_wait().expect("a status").is_none() {
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    harness.kill().expect("killed");
+    harness.wait().expect("it ends");
+    for name in ["self", "child"] {
+        assert!(!stage.text(name).trim().is_empty(), "{name}");
+        assert!(!runs(&stage.text(name)), "{name} still runs");
+    }
+}
+
+#[test]
 fn an_engine_that_takes_too_much_memory_is_ended_and_so_is_what_it_has_started() {
     let stage = Stage::new();
     // A line without end is kept whole by tail, here a child of the engine.

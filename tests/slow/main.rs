@@ -14,6 +14,9 @@ mod changed_logs;
 
 #[path = "../common/mutated_logs.rs"]
 mod mutated_logs;
+
+#[path = "../common/killing.rs"]
+mod killing;
 /// The records that the other tests of reports take a part of.
 #[allow(dead_code, reason = "the other tests use the rest")]
 #[path = "../report/synthetic.rs"]
@@ -21,6 +24,7 @@ mod synthetic;
 
 mod equal_work;
 mod explained_logs;
+mod killed;
 mod million_radians;
 mod planted_defects;
 mod random_scenes;

@@ -98,6 +98,7 @@ impl Config {
         ladder.map_or_else(Bounds::default, |ladder| Bounds {
             coarsest: ladder.coarsest,
             finest: ladder.finest,
+            afforded: None,
         })
     }
 }
@@ -121,7 +122,10 @@ mod tests {
         let tolerance = &config.tolerances[0];
         assert_eq!((tolerance.constant, tolerance.error), (Some(0.01), Some(0.5)));
         assert!(tolerance.scene.is_some() && tolerance.quantity.is_some());
-        assert_eq!(config.bounds("kovalevskaya"), Bounds { coarsest: Some(16), finest: Some(4096) });
+        assert_eq!(
+            config.bounds("kovalevskaya"),
+            Bounds { coarsest: Some(16), finest: Some(4096), afforded: None }
+        );
         assert_eq!(config.bounds("free-rod"), Bounds::default());
         assert_eq!(Config::parse(&commented(), "x.toml").expect("sound"), Config::default());
     }

@@ -37,7 +37,7 @@ pub(super) fn compare(options: &Options, quiet: bool) -> Result<u8, Failure> {
     let grid = Campaign::of(scenes.clone(), contestants.clone());
     let mut records = with_bar(quiet, "measuring", |progress| Campaign { progress, ..grid }.run());
     with_bar(quiet, "comparing", |progress| {
-        campaign::add_peers(&mut records, &scenes, &contestants, progress);
+        campaign::add_peers(&mut records, &scenes, &contestants, None, progress);
     });
     report::write_engines(&records, &options.out)?;
     print(&table(&records).write(options.format))?;

@@ -3,6 +3,7 @@
 mod written;
 
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use clap::Args;
 
@@ -37,6 +38,9 @@ pub(super) struct Options {
     /// Go on where a killed run with the same --json stopped
     #[arg(long, requires = "json", conflicts_with = "from")]
     resume: bool,
+    /// Time for all runs: slow ones are left out, and what stays undecided is named
+    #[arg(long, value_name = "SECONDS", value_parser = super::seconds, conflicts_with = "from")]
+    budget: Option<f64>,
     /// Print what was judged of each scheme in each scene, ten lines at most
     #[arg(long)]
     verbose: bool,
@@ -49,7 +53,7 @@ Examples:
   polhode gate --scheme euler --scene kovalevskaya --verbose
   polhode gate --scene my-body.toml --json now.json
   polhode gate --scene my-body.toml --baseline before.json   constants and every error
-  polhode gate --scheme 'engine:python3 my_engine.py' --order 2
+  polhode gate --scheme 'engine:python3 my_engine.py' --order 2 --budget 600
   polhode gate --from reports/latest/records.json            the same verdicts, without a run
 
 Exit code: 0 every claim holds or is a known deviation, 1 one fails, 2 one is undecided, or
@@ -64,7 +68,8 @@ pub(super) fn gate(options: &Options, quiet: bool) -> Result<u8, Failure> {
         Some(path) => stored(path, &baseline)?,
         None => {
             let measure = |journal: Option<&Journal>| {
-                measured::measured(&options.selection, options.order, baseline.clone(), journal, quiet)
+                let (order, budget) = (options.order, options.budget.map(Duration::from_secs_f64));
+                measured::measured(&options.selection, (order, budget), baseline.clone(), journal, quiet)
             };
             return options.written.with_journal(options.resume, quiet, |journal| {
                 let records = measure(journal)?;

@@ -9,7 +9,7 @@ use clap::Args;
 use crate::campaign::Journal;
 use crate::cli::Failure;
 use crate::cli::output::Force;
-use crate::interrupt;
+use crate::cli::resume::with_journal;
 use crate::record::{self, Records};
 use crate::report;
 
@@ -59,30 +59,14 @@ impl Written {
         force.try_place(self.bencher.as_ref(), is_dashboard)
     }
 
-    /// Does work that keeps its finished cells beside the records, in FILE.rows, until the records are written.
+    /// Does work that keeps its finished rows beside the records, until those are written.
     pub(super) fn with_journal(
         &self,
         resume: bool,
         quiet: bool,
         work: impl FnOnce(Option<&Journal>) -> Result<u8, Failure>,
     ) -> Result<u8, Failure> {
-        let Some(path) = self.json.as_ref().filter(|path| !path.exists() || path.is_file()) else {
-            return work(None);
-        };
-        let mut rows = path.clone().into_os_string();
-        rows.push(".rows");
-        let rows = PathBuf::from(rows);
-        self.force.try_json(Some(&rows))?;
-        let fail = |source| Failure::Write { name: rows.display().to_string(), source };
-        let journal = Journal::open(&rows, resume).map_err(fail)?;
-        if resume && !quiet {
-            eprintln!("polhode: {} cells of {} are kept", journal.len(), rows.display());
-        }
-        let code = work(Some(&journal))?;
-        if !interrupt::requested() {
-            journal.finish().map_err(fail)?;
-        }
-        Ok(code)
+        with_journal(self.json.as_deref(), (resume, self.force, quiet), work)
     }
 
     /// Writes what was asked for.

@@ -17,16 +17,20 @@ use super::{ReportError, plot};
 pub(super) use pictures::side_by_side;
 pub use table::table;
 
-/// Writes `stability.json`, `stability.md` and the pictures into a folder.
+/// Writes `stability.json`, `stability.md` and, where they are wanted, the pictures into a folder.
 ///
 /// # Errors
 /// A file cannot be written, or a picture cannot be made.
-pub fn write(study: &Stability, out: &Path) -> Result<(), ReportError> {
+pub fn write(study: &Stability, out: &Path, pictures: bool) -> Result<(), ReportError> {
     let fault = |path: &Path, why: String| ReportError::Picture { path: path.into(), why };
-    let curves = plot::stability::pictures(study).map_err(|plot::Fault(why)| fault(out, why))?;
-    let maps = study.maps.iter().map(|map| format!("maps/{}.png", map_file(map)));
+    let maps: &[Map] = if pictures { &study.maps } else { &[] };
+    let curves = match pictures {
+        true => plot::stability::pictures(study).map_err(|plot::Fault(why)| fault(out, why))?,
+        false => Vec::new(),
+    };
+    let names = maps.iter().map(|map| format!("maps/{}.png", map_file(map)));
     let files = ["stability.json", "stability.md"].map(str::to_owned).into_iter();
-    let files = files.chain(curves.iter().map(|(name, _)| (*name).to_owned())).chain(maps).collect();
+    let files = files.chain(curves.iter().map(|(name, _)| (*name).to_owned())).chain(names).collect();
     let folder = Folder::open(out, "stability.json")?;
     folder.begin(&files)?;
     write_json(&out.join("stability.json"), study)?;
@@ -34,7 +38,7 @@ pub fn write(study: &Stability, out: &Path) -> Result<(), ReportError> {
     for (name, png) in curves {
         write_whole(&out.join(name), &png)?;
     }
-    study.maps.par_iter().try_for_each(|map| {
+    maps.par_iter().try_for_each(|map| {
         let path = out.join("maps").join(format!("{}.png", map_file(map)));
         let png = pictures::heat_map(map).png().map_err(|error| fault(&path, error.to_string()))?;
         write_whole(&path, &png).map_err(ReportError::File)

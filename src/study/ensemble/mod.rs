@@ -66,17 +66,30 @@ impl<'a> Ensemble<'a> {
         begin: impl Fn(usize) -> T + Sync,
         see: impl Fn(&mut T, &Snapshot) + Sync,
     ) -> Vec<(T, Outcome)> {
+        self.rows(begin, see, |_, kept, outcome| (kept, outcome))
+    }
+
+    /// The same, where `end` makes a row of each member as soon as it has run.
+    pub fn rows<T: Send, R: Send>(
+        &self,
+        begin: impl Fn(usize) -> T + Sync,
+        see: impl Fn(&mut T, &Snapshot) + Sync,
+        end: impl Fn(usize, T, Outcome) -> R + Sync,
+    ) -> Vec<R> {
         let (alone, blocks) = self.parties();
         let of_block = |(scheme, guests): &(SideBySide, Vec<Guest>)| {
             let indices = guests.iter().map(|guest| guest.index);
             let rows = block::run(*scheme, self.registers, guests, &begin, &see)
                 .unwrap_or_else(|| indices.clone().map(|index| self.alone(index, &begin, &see)).collect());
-            indices.zip(rows).collect::<Vec<_>>()
+            let rows = indices.zip(rows).map(|(index, (kept, outcome))| (index, end(index, kept, outcome)));
+            rows.collect::<Vec<_>>()
         };
-        let mut rows: Vec<(usize, (T, Outcome))> =
-            blocks.par_iter().with_max_len(1).flat_map_iter(of_block).collect();
+        let mut rows: Vec<(usize, R)> = blocks.par_iter().with_max_len(1).flat_map_iter(of_block).collect();
         let alone = alone.into_par_iter().with_max_len(1);
-        rows.par_extend(alone.map(|index| (index, self.alone(index, &begin, &see))));
+        rows.par_extend(alone.map(|index| {
+            let (kept, outcome) = self.alone(index, &begin, &see);
+            (index, end(index, kept, outcome))
+        }));
         rows.sort_by_key(|(index, _)| *index);
         rows.into_iter().map(|(_, row)| row).collect()
     }

@@ -15,6 +15,7 @@ mod period;
 
 use rayon::prelude::*;
 
+use crate::journal::{self, Journal};
 use crate::ode::SolverError;
 use crate::record::PublishedRow;
 use crate::scenes::{Scene, SceneError};
@@ -52,6 +53,9 @@ pub enum PublishedError {
         /// Where and why.
         why: Break,
     },
+    /// The user asks for the end.
+    #[error("interrupted")]
+    Interrupted,
     /// A figure asks for what it does not say, or for what the scene does not have.
     #[error("{scene}, '{quantity}': {why}")]
     Figure {
@@ -64,12 +68,12 @@ pub enum PublishedError {
     },
 }
 
-/// Every published figure beside what Polhode gives now, in the order of the data.
+/// Every published figure beside what Polhode gives now, in the order of the data. A problem is a row of the journal.
 ///
 /// # Errors
 /// [`PublishedError`].
-pub fn rows() -> Result<Vec<PublishedRow>, PublishedError> {
-    rows_of(list::FIGURES)
+pub fn rows(journal: Option<&Journal>) -> Result<Vec<PublishedRow>, PublishedError> {
+    kept_rows_of(list::FIGURES, journal)
 }
 
 /// The same for the text of a file like `references/published/figures.toml`.
@@ -77,9 +81,16 @@ pub fn rows() -> Result<Vec<PublishedRow>, PublishedError> {
 /// # Errors
 /// [`PublishedError`].
 pub fn rows_of(figures: &str) -> Result<Vec<PublishedRow>, PublishedError> {
+    kept_rows_of(figures, None)
+}
+
+fn kept_rows_of(figures: &str, journal: Option<&Journal>) -> Result<Vec<PublishedRow>, PublishedError> {
     let problems = data::problems(figures)?;
-    let rows: Result<Vec<Vec<PublishedRow>>, PublishedError> =
-        problems.par_iter().map(problem_rows).collect();
+    let kept = |problem: &Problem| {
+        let key = ("published", &problem.scene, &problem.title);
+        journal::try_row(journal, &key, || problem_rows(problem)).unwrap_or(Err(PublishedError::Interrupted))
+    };
+    let rows: Result<Vec<Vec<PublishedRow>>, PublishedError> = problems.par_iter().map(kept).collect();
     Ok(rows?.into_iter().flatten().collect())
 }
 

@@ -79,15 +79,14 @@ pub(super) fn orders(
     (ends.chunks_exact(3).map(order).collect(), taken)
 }
 
-/// The orders of these schemes across a bounce.
-pub fn kink_orders(contestants: &[Contestant]) -> Vec<KinkOrder> {
-    let one = |contestant: &Contestant| KinkOrder {
+/// The order of a scheme across a bounce.
+pub fn kink_order(contestant: &Contestant) -> KinkOrder {
+    KinkOrder {
         scheme: contestant.card.name.to_owned(),
         claimed: contestant.card.order(),
         elastic: median_order(contestant, 0.0),
         damped: median_order(contestant, 4.0),
-    };
-    contestants.iter().map(one).collect()
+    }
 }
 
 fn median_order(contestant: &Contestant, damping: f64) -> Option<f64> {

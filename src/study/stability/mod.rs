@@ -32,7 +32,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use rayon::prelude::*;
 
 use crate::interrupt;
+use crate::journal::{self, Journal};
 use crate::record::stability::{FailsWhere, Limit, LinearLimit, SCHEMA, Stability};
+use crate::reference::ReferenceError;
 use crate::scenes::Scene;
 use crate::simulate::Contestant;
 
@@ -40,7 +42,7 @@ pub use crate::record::stability::Meaning;
 pub use bench::{Bench, Growth, NO_GROWTH};
 pub use fails_where::{SCENES as LINE_SCENES, line};
 pub use failure::{Axis, Failure};
-pub use kink::kink_orders;
+pub use kink::kink_order;
 pub use long_run::{energy_law, long_run};
 pub use maps::{NAMES as MAP_NAMES, growth, map};
 pub use search::limits;
@@ -64,6 +66,8 @@ pub struct Study<'a> {
     pub long: Vec<Contestant>,
     /// … and their steps.
     pub long_steps: u64,
+    /// Finished rows on disk, where they are kept.
+    pub journal: Option<&'a Journal>,
     /// Called as (done, of all) after every piece of work.
     pub progress: &'a (dyn Fn(usize, usize) + Sync),
 }
@@ -79,7 +83,9 @@ impl Study<'_> {
         let tick = || (self.progress)(done.fetch_add(1, Ordering::Relaxed) + 1, all);
         let limits = self.limits(&tick);
         let linear = self.linear(&tick);
-        let fails_where = self.lines(&limits, &linear);
+        // A line is made of all the limits of a scheme.
+        let whole = !interrupt::requested();
+        let fails_where = if whole { self.lines(&limits, &linear) } else { Vec::new() };
         let mut study = Stability {
             schema: SCHEMA.to_owned(),
             polhode: env!("CARGO_PKG_VERSION").to_owned(),
@@ -89,9 +95,10 @@ impl Study<'_> {
             ..Stability::default()
         };
         for (name, contestant) in &self.maps {
-            if !interrupt::requested() {
-                study.maps.extend(map(name, contestant, self.cells));
-            }
+            let key = ("map", name, contestant.card.name, self.cells);
+            study
+                .maps
+                .extend(journal::row(self.journal, &key, || map(name, contestant, self.cells)).flatten());
             tick();
         }
         self.run_long(&mut study, &tick);
@@ -101,7 +108,8 @@ impl Study<'_> {
 
     fn linear(&self, tick: &(dyn Fn() + Sync)) -> Vec<LinearLimit> {
         let rows = self.contestants.par_iter().filter_map(|contestant| {
-            let row = linear_limit(contestant);
+            let key = ("linear", contestant.card.name);
+            let row = journal::row(self.journal, &key, || linear_limit(contestant)).flatten();
             tick();
             row
         });
@@ -132,16 +140,16 @@ impl Study<'_> {
             .zip(&truths)
             .flat_map(|(scene, truth)| self.contestants.iter().map(move |c| (scene, truth, c)))
             .collect();
-        let rows = cells.par_iter().map(|(scene, truth, contestant)| {
-            let rows = match truth {
-                _ if interrupt::requested() => Vec::new(),
-                Some(Ok(truth)) => search::limits(&scene.name, contestant, truth),
-                Some(Err(error)) => search::without_truth(&scene.name, contestant, &error.to_string()),
-                None => Vec::new(),
+        let rows = cells.par_iter().filter_map(|(scene, truth, contestant)| {
+            let measure = |truth: &Result<Truth, ReferenceError>| match truth {
+                Ok(truth) => search::limits(&scene.name, contestant, truth),
+                Err(error) => search::without_truth(&scene.name, contestant, &error.to_string()),
             };
+            let known_as = contestant.program().map(|program| program.name);
+            let key = ("limits", &scene.name, scene.content(), contestant.card.name, known_as);
+            let rows = truth.as_ref().and_then(|truth| journal::row(self.journal, &key, || measure(truth)));
             tick();
-            // What was running when the user asked for the end is not whole.
-            if interrupt::requested() { Vec::new() } else { rows }
+            rows
         });
         rows.collect::<Vec<_>>().concat()
     }
@@ -153,13 +161,18 @@ impl Study<'_> {
         let cells: Vec<_> =
             long_run::SCENES.iter().flat_map(|scene| self.long.iter().map(move |c| (*scene, c))).collect();
         let runs = cells.par_iter().filter_map(|(scene, contestant)| {
-            let row = long_run(scene, contestant, self.long_steps);
+            let key = ("long run", scene, contestant.card.name, self.long_steps);
+            let row =
+                journal::row(self.journal, &key, || long_run(scene, contestant, self.long_steps)).flatten();
             tick();
             row
         });
         study.long_runs = runs.collect();
-        study.energy_law = energy_law();
-        study.kink_orders = kink_orders(&self.long);
+        study.energy_law = journal::row(self.journal, &"energy law", energy_law).unwrap_or_default();
+        let kinks = self.long.iter().filter_map(|contestant| {
+            journal::row(self.journal, &("kink", contestant.card.name), || kink_order(contestant))
+        });
+        study.kink_orders = kinks.collect();
     }
 }
 

@@ -7,9 +7,14 @@
 mod axis;
 mod keys;
 
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::ops::Range;
+
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 use crate::interrupt;
+use crate::journal::{self, Journal};
 use crate::model::{Quantity, Snapshot, System, difference};
 use crate::record::RunStatus;
 use crate::reference::Reference;
@@ -24,6 +29,8 @@ pub use keys::SceneText;
 pub const STEP: &str = "step";
 /// Samples of a reference: the fewest that there can be, of which the last is used.
 const SAMPLES: usize = 4;
+/// Scenes whose references are made before their runs: what a run that is killed may lose of them.
+const TOGETHER: usize = 32;
 
 /// A grid of scenes and steps.
 pub struct Sweep {
@@ -42,10 +49,10 @@ pub struct Sweep {
 }
 
 /// A run of a sweep.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Row {
     /// Scheme.
-    pub scheme: &'static str,
+    pub scheme: String,
     /// The number of every axis.
     pub values: Vec<f64>,
     /// h [s]: the nearest to the one asked for that divides the duration.
@@ -67,10 +74,29 @@ pub struct Row {
 
 /// A place of the grid: its numbers and its scene, or why there is none.
 struct Place {
+    /// In the grid.
+    index: usize,
     values: Vec<f64>,
     scene: Result<(Scene, Plan), String>,
     /// The state at the end of the run, of the reference.
     truth: Option<Snapshot>,
+}
+
+impl Place {
+    /// Why a scheme does not run there.
+    fn refusal(&self, contestant: &Contestant) -> Option<String> {
+        match &self.scene {
+            Err(why) => Some(why.clone()),
+            Ok((scene, _)) => contestant.refusal(&scene.system).map(|why| why.into_owned()),
+        }
+    }
+}
+
+/// A place that is run.
+struct Asked<'a> {
+    place: &'a Place,
+    scene: &'a Scene,
+    plan: Plan,
 }
 
 /// What is kept of a run.
@@ -97,16 +123,28 @@ impl Sweep {
         self.axes.iter().filter(|axis| axis.key != STEP).map(|axis| axis.values.len()).product()
     }
 
-    /// Runs every scheme at every place, the last axis fastest, scheme after scheme.
-    pub fn run(&self, contestants: &[Contestant]) -> Vec<Row> {
-        let places = self.places();
-        contestants.iter().flat_map(|contestant| self.rows(contestant, &places)).collect()
+    /// Runs every scheme at every place, the last axis fastest, scheme after scheme. Where the user asks for the end, the rows that are
+    /// whole.
+    pub fn run(&self, contestants: &[Contestant], journal: Option<&Journal>) -> Vec<Row> {
+        let scenes = self.scenes();
+        let together = if self.with_errors { TOGETHER } else { scenes.max(1) };
+        let mut rows: Vec<Vec<(usize, Row)>> = vec![Vec::new(); contestants.len()];
+        for first in (0..scenes).step_by(together).take_while(|_| !interrupt::requested()) {
+            let places = self.places(first..scenes.min(first + together));
+            for (contestant, rows) in contestants.iter().zip(&mut rows) {
+                rows.extend(self.rows(contestant, &places, journal));
+            }
+        }
+        rows.iter_mut().for_each(|rows| rows.sort_by_key(|(place, _)| *place));
+        rows.into_iter().flatten().map(|(_, row)| row).collect()
     }
 
-    fn places(&self) -> Vec<Place> {
-        let steps = self.axes.iter().find(|axis| axis.key == STEP).map_or(1, |axis| axis.values.len());
+    /// The places of some of the scenes.
+    fn places(&self, scenes: Range<usize>) -> Vec<Place> {
+        let first = scenes.start;
         // One reference a scene: places that differ in the step alone share it.
-        let scenes: Vec<(Result<Scene, String>, Option<Snapshot>)> = (0..self.len() / steps.max(1))
+        let solved: Vec<(Result<Scene, String>, Option<Snapshot>)> = scenes
+            .clone()
             .into_par_iter()
             .map(|index| {
                 let scene = self.scene(&self.values(index, |key| key != STEP));
@@ -118,14 +156,15 @@ impl Sweep {
         let place = |index: usize| {
             let values = self.values(index, |_| true);
             let step = at.map_or(self.step, |at| values[at]);
-            let (scene, truth) = &scenes[self.scene_index(index)];
+            let (scene, truth) = &solved[self.scene_index(index) - first];
             let scene = scene.clone().and_then(|scene| {
                 let plan = plan(&scene, step)?;
                 Ok((scene, plan))
             });
-            Place { values, scene, truth: *truth }
+            Place { index, values, scene, truth: *truth }
         };
-        (0..self.len()).map(place).collect()
+        let among = |index: &usize| scenes.contains(&self.scene_index(*index));
+        (0..self.len()).filter(among).map(place).collect()
     }
 
     /// Which scene a place has, among those that differ in more than the step.
@@ -154,6 +193,9 @@ impl Sweep {
     }
 
     fn scene(&self, values: &[f64]) -> Result<Scene, String> {
+        if interrupt::requested() {
+            return Err("interrupted".to_owned());
+        }
         let mut text = self.text.clone();
         for (axis, value) in self.axes.iter().filter(|axis| axis.key != STEP).zip(values) {
             text.set(&axis.key, *value);
@@ -168,58 +210,60 @@ impl Sweep {
         Reference::of(&scene.system, scene.duration, SAMPLES, None).ok()?.states.last().copied()
     }
 
-    fn rows(&self, contestant: &Contestant, places: &[Place]) -> Vec<Row> {
-        let refusals: Vec<Option<String>> = places
-            .iter()
-            .map(|place| match &place.scene {
-                Err(why) => Some(why.clone()),
-                Ok((scene, _)) => contestant.refusal(&scene.system).map(|why| why.into_owned()),
-            })
-            .collect();
-        let asked: Vec<(&Place, &Scene, Plan)> = places
-            .iter()
-            .zip(&refusals)
-            .filter(|(_, refusal)| refusal.is_none())
-            .filter_map(|(place, _)| place.scene.as_ref().ok().map(|(scene, plan)| (place, scene, *plan)))
-            .collect();
-        let members = asked
-            .iter()
-            .map(|(_, scene, plan)| Member { system: scene.system.clone(), plan: *plan })
-            .collect();
-        let see = |index: usize, kept: &mut Kept, state: &Snapshot| {
-            kept.first.get_or_insert(*state);
-            kept.last = Some(*state);
-            kept.kinetic = kept.kinetic.max(asked[index].1.system.kinetic_energy(state));
-        };
-        let runs = Ensemble::new(contestant, members)
-            .fold(|index| (index, Kept::default()), |(index, kept), state| see(*index, kept, state));
-        let mut runs = asked.iter().zip(runs);
-        let mut row = |(place, refusal): (&Place, &Option<String>)| match refusal {
-            Some(why) => Row::refused(contestant, place, why),
-            None => match runs.next() {
-                Some(((place, scene, plan), ((_, kept), outcome))) => {
-                    self.row(contestant, place, &scene.system, plan, &kept, &outcome)
-                }
-                None => Row::refused(contestant, place, "not run"),
-            },
-        };
-        places.iter().zip(&refusals).map(&mut row).collect()
-    }
-
-    fn row(
+    fn rows(
         &self,
         contestant: &Contestant,
-        place: &Place,
-        system: &System,
-        plan: &Plan,
-        kept: &Kept,
-        outcome: &Outcome,
-    ) -> Row {
+        places: &[Place],
+        journal: Option<&Journal>,
+    ) -> Vec<(usize, Row)> {
+        let (mut rows, mut asked) = (Vec::new(), Vec::new());
+        if interrupt::requested() {
+            return rows;
+        }
+        let (content, known_as) = (self.content(), contestant.program().map(|program| program.name));
+        let key = |place: &Place| ("sweep", content, place.values.clone(), contestant.card.name, &known_as);
+        for place in places {
+            match (place.refusal(contestant), &place.scene, journal::known(journal, &key(place))) {
+                (None, Ok((scene, plan)), None) => asked.push(Asked { place, scene, plan: *plan }),
+                (_, _, Some(row)) => rows.push((place.index, row)),
+                (why, ..) => {
+                    rows.push((place.index, Row::refused(contestant, place, &why.unwrap_or_default())));
+                }
+            }
+        }
+        let members = asked.iter().map(|one| Member { system: one.scene.system.clone(), plan: one.plan });
+        let see = |(index, kept): &mut (usize, Kept), state: &Snapshot| {
+            kept.first.get_or_insert(*state);
+            kept.last = Some(*state);
+            kept.kinetic = kept.kinetic.max(asked[*index].scene.system.kinetic_energy(state));
+        };
+        let end = |index: usize, (_, kept): (usize, Kept), outcome: Outcome| {
+            let place = asked[index].place;
+            let row = || self.row(contestant, &asked[index], &kept, &outcome);
+            Some((place.index, journal::row(journal, &key(place), row)?))
+        };
+        let ensemble = Ensemble::new(contestant, members.collect());
+        rows.extend(ensemble.rows(|index| (index, Kept::default()), see, end).into_iter().flatten());
+        rows
+    }
+
+    /// A fingerprint of what decides a row beside its numbers and its scheme.
+    fn content(&self) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        self.text.text().hash(&mut hasher);
+        self.axes.iter().for_each(|axis| axis.key.hash(&mut hasher));
+        self.step.to_bits().hash(&mut hasher);
+        self.with_errors.then_some(self.quantity).hash(&mut hasher);
+        hasher.finish()
+    }
+
+    fn row(&self, contestant: &Contestant, asked: &Asked, kept: &Kept, outcome: &Outcome) -> Row {
+        let Asked { place, scene: Scene { system, .. }, plan } = asked;
         let whole = outcome.broken.is_none();
         let ends = kept.last.zip(place.truth).filter(|_| whole);
         let error = ends.map(|(end, truth)| difference(&system.body, &end, &truth)[self.quantity]);
         Row {
-            scheme: contestant.card.name,
+            scheme: contestant.card.name.to_owned(),
             values: place.values.clone(),
             step: plan.step,
             steps: outcome.steps,
@@ -235,7 +279,7 @@ impl Sweep {
 impl Row {
     fn refused(contestant: &Contestant, place: &Place, why: &str) -> Row {
         Row {
-            scheme: contestant.card.name,
+            scheme: contestant.card.name.to_owned(),
             values: place.values.clone(),
             step: place.scene.as_ref().map_or(0.0, |(_, plan)| plan.step),
             steps: 0,
