@@ -130,6 +130,7 @@ pub fn setting(scene: &Scene) -> Setting {
         constant_force,
         no_force,
         point: system.body.shape == Shape::Point,
+        jumps: system.forces.pieces().iter().filter(|(end, _)| *end < scene.duration).count() as u64,
     }
 }
 

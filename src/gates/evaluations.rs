@@ -1,10 +1,10 @@
 //! The count of force evaluations, exactly. A run may begin with a few of its own, as many on every rung: a scheme that
-//! hands on the forces at the end of a step needs those at its first beginning.
+//! hands on the forces at the end of a step needs those at its first beginning, and after each jump of a law.
 
 use super::ruled;
 use crate::record::{ClaimName, Evidence, Ruling, Verdict};
 
-/// Evaluations that a run may begin with.
+/// Evaluations that a run may begin with, and go on with after a jump.
 const MOST_AT_BEGINNING: u64 = 1;
 
 pub(super) fn judge(evidence: &Evidence, claimed: u32) -> Verdict {
@@ -14,7 +14,8 @@ pub(super) fn judge(evidence: &Evidence, claimed: u32) -> Verdict {
         return ruled(evidence, ClaimName::Evaluations, "evaluations", Ruling::NotApplicable, detail);
     };
     let beginning = last.evaluations.wrapping_sub(u64::from(claimed) * last.steps);
-    let holds = beginning <= MOST_AT_BEGINNING
+    let most = MOST_AT_BEGINNING * (1 + evidence.setting.jumps);
+    let holds = beginning <= most
         && whole.iter().all(|rung| rung.evaluations == u64::from(claimed) * rung.steps + beginning);
     let verdict = if holds { Ruling::Pass } else { Ruling::Fail };
     let measured = last.evaluations as f64 / last.steps as f64;

@@ -127,6 +127,13 @@ pub struct Setting {
     /// The body is a single point, which has no orientation.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub point: bool,
+    /// Jumps of its laws within the run: at each a scheme starts anew.
+    #[serde(default, skip_serializing_if = "none")]
+    pub jumps: u64,
+}
+
+fn none(count: &u64) -> bool {
+    *count == 0
 }
 
 /// Runs of a scheme at halved steps against the truth.
