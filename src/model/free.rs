@@ -96,7 +96,8 @@ impl<T: Real> Model for Free<T> {
         *into = FreeState::at(rotation::turned(&from.attitude, &rates.spin, s));
     }
 
-    #[inline(always)]
+    // Called once for many steps, and compiled once for all schemes.
+    #[inline(never)]
     fn shortcut(&self, of: Shortcut, step: T, steps: u64, state: &mut FreeState<T>) -> Option<u64> {
         // The series of small angles end where f64 does.
         if T::UNIT != f64::UNIT {
