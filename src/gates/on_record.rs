@@ -173,7 +173,7 @@ fn judge_drift(evidence: &Evidence, known: &EnergyDrift) -> Option<Verdict> {
         |run: &EnergyRung| Some((*run, *known.rungs.iter().find(|one| same_step(one.step, run.step))?));
     let pairs: Vec<(EnergyRung, EnergyRung)> = now.rungs.iter().filter_map(pair).collect();
     let grows = |(now, known): &&(EnergyRung, EnergyRung)| {
-        let open = now.uncertainty.abs() + known.uncertainty.abs();
+        let open = now.uncertainty + known.uncertainty;
         // A rate is known to a tenth.
         now.rate.abs() > (1.0 + BELOW) * known.rate.abs() + open
     };

@@ -46,7 +46,7 @@ const ONE_MOMENT: f64 = 1e-9;
 fn is_flat(rung: &EnergyRung, long: f64) -> bool {
     let oscillates =
         // A change as large as the energy is that of a run whose step is too large for its rate to mean anything.
-        rung.level < 1.0 && rung.rate.abs() <= SEEN * rung.uncertainty.abs() && is_bounded(rung, long);
+        rung.level < 1.0 && rung.rate.abs() <= SEEN * rung.uncertainty && is_bounded(rung, long);
     rung.rate.abs() * long <= rung.rounding / BELOW || oscillates
 }
 
@@ -60,7 +60,7 @@ pub fn rate_order(drift: &EnergyDrift) -> Decision {
     let run = |rung: &EnergyRung| {
         let long = rung.step * rung.steps as f64;
         // What a rate may be wrong by is a bound: r is to resolve a tenth of the rate.
-        let known = rung.uncertainty.abs().max(rung.rounding / long);
+        let known = rung.uncertainty.max(rung.rounding / long);
         Run {
             step: rung.step,
             steps: rung.steps,
@@ -70,22 +70,6 @@ pub fn rate_order(drift: &EnergyDrift) -> Decision {
     };
     let runs = drift.rungs.iter().map(run).collect();
     decide(&Asked::in_f64(runs, &[1.0], 0.0))
-}
-
-/// The order in h of the rates over parts of a run: it is that of the rate, or a lower one that the averages leave of an oscillation. What the rate
-/// may be wrong by hides it where the motion changes within a run, and with it the rate.
-pub fn order_of_parts(drift: &EnergyDrift) -> Decision {
-    let run = |rung: &EnergyRung| {
-        let known = rung.rounding / (rung.step * rung.steps as f64) / (BELOW * CLEAR);
-        Run {
-            step: rung.step,
-            steps: rung.steps,
-            errors: vec![rung.rate, rung.uncertainty],
-            rounding: vec![known, known],
-        }
-    };
-    let runs = drift.rungs.iter().map(run).collect();
-    decide(&Asked::in_f64(runs, &[0.5, 1.0], 0.0))
 }
 
 /// Measures the drift; `None` for a body under torque, without spin, too near the separatrix for many periods, or
@@ -119,9 +103,8 @@ pub fn energy_drift(contestant: &Contestant, system: &System, duration: f64) -> 
         drift.double_double = true;
     }
     let finest = drift.rungs.last()?;
-    let clear = |rung: &EnergyRung| {
-        rung.rate.abs() > (SEEN * rung.uncertainty.abs()).max(rung.rounding / BELOW / long)
-    };
+    let clear =
+        |rung: &EnergyRung| rung.rate.abs() > (SEEN * rung.uncertainty).max(rung.rounding / BELOW / long);
     // A secular change stands out of the oscillation at large steps: it is of a higher order.
     let bounded = drift
         .rungs
@@ -212,7 +195,7 @@ fn run_rung<T: Arithmetic>(
         step: plan.step,
         steps,
         rate,
-        uncertainty: early - late,
+        uncertainty: (early - late).abs(),
         level: change.iter().map(|c| c.abs()).fold(0.0, super::larger),
         gain: change.iter().copied().fold(0.0, super::larger),
         of_largest: energy.iter().map(|e| (*e / most).to_f64()).fold(0.0, super::larger),
@@ -222,8 +205,8 @@ fn run_rung<T: Arithmetic>(
 }
 
 /// Secular rate of a sampled quantity, in its unit over that of time: the difference of two averages over its
-/// halves, each weighted by the square of a Hann window, over the time between them. An oscillation of n periods a half
-/// leaks into the rate as n⁻⁵ only.
+/// halves, each weighted by a Hann window, over the time between them. An oscillation of n periods a half
+/// leaks into the rate as n⁻³ only.
 ///
 /// `None` with fewer than eight samples.
 fn secular_rate(time: &[f64], value: &[f64]) -> Option<f64> {
@@ -231,17 +214,16 @@ fn secular_rate(time: &[f64], value: &[f64]) -> Option<f64> {
     if half < 4 || time.len() != value.len() {
         return None;
     }
-    let (early, late) =
-        (windowed_mean(&time[..half], &value[..half]), windowed_mean(&time[half..], &value[half..]));
+    let (early, late) = (hann_mean(&time[..half], &value[..half]), hann_mean(&time[half..], &value[half..]));
     Some((late.1 - early.1) / (late.0 - early.0))
 }
 
-/// Means of time and value under the square of a Hann window.
-fn windowed_mean(time: &[f64], value: &[f64]) -> (f64, f64) {
+/// Means of time and value under a Hann window.
+fn hann_mean(time: &[f64], value: &[f64]) -> (f64, f64) {
     let count = time.len() as f64;
     let (mut weight_sum, mut time_sum, mut value_sum) = (0.0, 0.0, 0.0);
     for (index, (t, v)) in time.iter().zip(value).enumerate() {
-        let weight = (std::f64::consts::PI * (index as f64 + 0.5) / count).sin().powi(4);
+        let weight = (std::f64::consts::PI * (index as f64 + 0.5) / count).sin().powi(2);
         weight_sum += weight;
         time_sum += weight * t;
         value_sum += weight * v;
