@@ -111,9 +111,13 @@ impl<'a> Asked<'a> {
         let of_all = (samples as f64).sqrt();
         let copies = length(&run.rounding[..samples.min(run.rounding.len())]);
         let steps = self.of_step * run.steps as f64 * self.scale;
-        // Half a unit of the last digit is a bound, no estimate: r is to resolve a tenth of the error.
-        let known = (self.unit * self.scale + self.uncertainty) / BELOW;
-        (CLEAR * copies).max((steps + known) * of_all)
+        (CLEAR * copies).max((steps + self.known()) * of_all)
+    }
+
+    /// What an error must exceed for what is known of digits and truth. Half a unit of the last digit is a bound, no estimate: r is to resolve a
+    /// tenth of the error.
+    pub fn known(&self) -> f64 {
+        (self.unit * self.scale + self.uncertainty) / BELOW
     }
 
     /// The error of a run per sample time: its root mean square over them.
