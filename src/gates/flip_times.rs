@@ -6,7 +6,7 @@
 use super::ruled;
 use crate::measure::flips::{COUNTED, flip_order, is_complete};
 use crate::measure::{Decision, Doubt};
-use crate::record::{ClaimName, Evidence, Ruling, Verdict};
+use crate::record::{ClaimName, Evidence, FlipRung, Flips, Ruling, Verdict};
 
 pub(super) fn judge(evidence: &Evidence) -> Verdict {
     let rule = |ruling, detail: String| ruled(evidence, ClaimName::FlipTimes, "flip-times", ruling, detail);
@@ -29,15 +29,8 @@ pub(super) fn judge(evidence: &Evidence) -> Verdict {
         return rule(Ruling::Inconclusive, detail);
     }
     if !complete {
-        let counts: Vec<usize> = fine.iter().map(|rung| rung.times.len()).collect();
-        let detail = format!("{truth} flips in truth, {counts:?} at the three finest steps");
-        // Runs that differ from one another say nothing of the limit.
-        let settled = counts.windows(2).last().is_some_and(|pair| pair[0] == pair[1]);
-        let wrong = fine.last().is_none_or(|rung| !is_complete(flips, rung));
-        return match settled && wrong {
-            true => rule(Ruling::Fail, detail),
-            false => rule(Ruling::Inconclusive, format!("{detail}: smaller steps would decide it")),
-        };
+        let (ruling, detail) = miscounted(flips, fine);
+        return rule(ruling, detail);
     }
     if truth == 0 {
         return rule(Ruling::Pass, "no flip, as in truth, at the three finest steps".to_owned());
@@ -60,5 +53,18 @@ pub(super) fn judge(evidence: &Evidence) -> Verdict {
         Decision::Undecided(doubt) => {
             rule(Ruling::Inconclusive, format!("{truth} flips: {}", super::order::doubted(&doubt)))
         }
+    }
+}
+
+/// What runs say that do not all have the flips of the truth.
+fn miscounted(flips: &Flips, fine: &[FlipRung]) -> (Ruling, String) {
+    let counts: Vec<usize> = fine.iter().map(|rung| rung.times.len()).collect();
+    let detail = format!("{} flips in truth, {counts:?} at the three finest steps", flips.truth.times.len());
+    // Runs that differ from one another say nothing of the limit.
+    let settled = counts.windows(2).last().is_some_and(|pair| pair[0] == pair[1]);
+    let wrong = fine.last().is_none_or(|rung| !is_complete(flips, rung));
+    match settled && wrong {
+        true => (Ruling::Fail, detail),
+        false => (Ruling::Inconclusive, format!("{detail}: smaller steps would decide it")),
     }
 }

@@ -102,25 +102,30 @@ pub fn energy_drift(contestant: &Contestant, system: &System, duration: f64) -> 
         drift.rungs = runs.ladder(&precise, MOST_PRECISE_STEPS)?;
         drift.double_double = true;
     }
-    let finest = drift.rungs.last()?;
     let clear =
         |rung: &EnergyRung| rung.rate.abs() > (SEEN * rung.uncertainty).max(rung.rounding / BELOW / long);
+    drift.class = class_of(&drift, long)?;
+    drift.shown = drift.rungs.iter().rposition(clear).unwrap_or(drift.rungs.len() - 1);
+    Some(drift)
+}
+
+/// The kind of a drift; `None` without a run.
+fn class_of(drift: &EnergyDrift, long: f64) -> Option<DriftClass> {
+    let finest = drift.rungs.last()?;
     // A secular change stands out of the oscillation at large steps: it is of a higher order.
     let bounded = drift
         .rungs
         .iter()
         .filter(|rung| rung.level > rung.rounding / BELOW)
         .all(|rung| is_bounded(rung, long));
-    drift.class = match rate_order(&drift) {
+    Some(match rate_order(drift) {
         _ if drift.rungs.iter().all(|rung| rung.level <= rung.rounding / BELOW) => DriftClass::Exact,
         // That of a thin body may be ten thousand times the first.
         _ if BELOW * finest.of_largest > 1.0 => DriftClass::Growing,
         _ if bounded => DriftClass::Bounded,
         Decision::Order(_) => DriftClass::Secular,
         _ => DriftClass::Undecided,
-    };
-    drift.shown = drift.rungs.iter().rposition(clear).unwrap_or(drift.rungs.len() - 1);
-    Some(drift)
+    })
 }
 
 /// Whether no order of the rate is decided, and the finest run changes the energy by no more than roundings that add up.
