@@ -98,9 +98,10 @@ pub fn energy_drift(contestant: &Contestant, system: &System, duration: f64) -> 
     let runs = LongRuns { contestant, long, spin, steady: rotor.steady_spin(), secular: most == MOST_STEPS };
     let mut drift = EnergyDrift { rungs: runs.ladder(&rotor, most)?, ..EnergyDrift::default() };
     if runs.secular && contestant.runs_in_double_double() && is_hidden(&drift, long) {
-        let precise = System::<DoubleDouble>::of(&rotor).ok()?;
-        drift.rungs = runs.ladder(&precise, MOST_PRECISE_STEPS)?;
-        drift.double_double = true;
+        let precise = System::<DoubleDouble>::of(&rotor).ok();
+        if let Some(rungs) = precise.and_then(|precise| runs.ladder(&precise, MOST_PRECISE_STEPS)) {
+            (drift.rungs, drift.double_double) = (rungs, true);
+        }
     }
     let clear =
         |rung: &EnergyRung| rung.rate.abs() > (SEEN * rung.uncertainty).max(rung.rounding / BELOW / long);
