@@ -268,7 +268,7 @@ pub(super) fn drift_rates(names: &Names, drift: &EnergyDrift) -> Vec<Measurement
         .iter()
         .flat_map(|rung| {
             [
-                row(rung, "rotational-energy-drift-rate", rung.rate, "1/s", rung.uncertainty.abs()),
+                row(rung, "rotational-energy-drift-rate", rung.rate, "1/s", rung.uncertainty),
                 row(rung, "rotational-energy-drift-level", rung.level, "1", rung.rounding),
             ]
         })

@@ -23,6 +23,7 @@ const KNOWN: &[Deviation] = &[
         reason: "the energy grows so fast that its rate changes within a run at every step that the long runs can afford",
         claim: ClaimName::Energy,
         places: &[
+            ("free-asymmetric", &["euler"]),
             ("dzhanibekov", &["euler"]),
             ("mujoco-fast-spin", &["euler"]),
             ("mujoco-middle-axis", &["euler"]),

@@ -3,8 +3,8 @@
 
 use super::{at_most, ruled};
 use crate::claim::EnergyOfFreeBody;
-use crate::measure::drift::{order_of_parts, rate_order};
-use crate::measure::{BELOW, Decision, Doubt, Order};
+use crate::measure::drift::rate_order;
+use crate::measure::{BELOW, Decision, Doubt};
 use crate::record::{ClaimName, DriftClass, EnergyDrift, Evidence, Rule, Ruling, Verdict};
 
 /// Name of the rate's order.
@@ -12,10 +12,6 @@ pub(super) const RATE: &str = "rotational-energy-rate";
 
 pub(super) fn judge(evidence: &Evidence, claim: EnergyOfFreeBody) -> Vec<Verdict> {
     let Some(drift) = &evidence.drift else {
-        // The gate of the budget says so.
-        if evidence.left_out.is_some_and(|left_out| left_out.drift) {
-            return Vec::new();
-        }
         let detail = "the body is not free of torque, does not turn, is too near the separatrix for many periods, or a run broke";
         return vec![ruled(evidence, ClaimName::Energy, "rotational-energy", Ruling::NotApplicable, detail)];
     };
@@ -60,7 +56,7 @@ fn judge_class(evidence: &Evidence, drift: &EnergyDrift, allowed: &[DriftClass])
                 drift.class.word(),
                 shown.level,
                 shown.rate,
-                shown.uncertainty.abs(),
+                shown.uncertainty,
                 shown.step
             ),
         )
@@ -85,55 +81,40 @@ fn judge_rate(evidence: &Evidence, drift: &EnergyDrift, claimed: u32, grows: boo
     let arithmetic = if drift.double_double { " in double-double" } else { "" };
     let rate = format!("rate {:.3e} 1/s at h = {:.3e} s{arithmetic}", shown.rate, shown.step);
     let rule = |ruling, detail: String| ruled(evidence, ClaimName::Energy, RATE, ruling, detail);
-    let of_order = |ruling, found: Order, of: &str| {
-        let (low, high) = found.bounds();
-        let Order { order, slope, r, .. } = found;
-        let detail =
-            format!("order {order} of {of} in h, {claimed} claimed: slope {slope:.3}, r = {r:.3}; {rate}");
-        Verdict { measured: Some(slope), low: Some(low), high: Some(high), ..rule(ruling, detail) }
-    };
-    match (drift.class, rate_order(drift), converging(drift, claimed, grows)) {
-        (DriftClass::Exact, ..) => {
+    match (drift.class, rate_order(drift)) {
+        (DriftClass::Exact, _) => {
             let detail = "exact: the energy changes by rounding only, so there is no rate to measure";
             rule(Ruling::NotApplicable, detail.to_owned())
         }
-        (DriftClass::Growing, ..) => rule(Ruling::Fail, format!("grows without bound; {rate}")),
-        (DriftClass::Secular, Decision::Order(found), _) => {
+        (DriftClass::Growing, _) => rule(Ruling::Fail, format!("grows without bound; {rate}")),
+        (DriftClass::Secular, Decision::Order(found)) => {
             let too_low = evidence.setting.generic && found.order > claimed;
             let wrong = found.order < claimed || too_low || (grows && shown.rate <= 0.0);
-            of_order(if wrong { Ruling::Fail } else { Ruling::Pass }, found, "the rate")
+            let ruling = if wrong { Ruling::Fail } else { Ruling::Pass };
+            let (low, high) = found.bounds();
+            let detail = format!(
+                "order {} of the rate in h, {claimed} claimed: slope {:.3}, r = {:.3}; {rate}",
+                found.order, found.slope, found.r
+            );
+            Verdict { measured: Some(found.slope), low: Some(low), high: Some(high), ..rule(ruling, detail) }
         }
-        (_, _, Some(found)) => of_order(Ruling::Pass, found, "the rates over parts of the run"),
-        (class, decision, None) => {
-            let (why, words) = without_order(drift, class, &decision);
-            rule(Ruling::Inconclusive, words).by(why)
+        (class, decision) => {
+            let (of, why) = match decision {
+                Decision::Undecided(Doubt::NotAsymptotic { order, least }) => {
+                    let why = format!("r falls for no order (the least is {least:.2}, for order {order})");
+                    (Rule::NotAsymptotic, why)
+                }
+                _ => (Rule::Rounding, "fewer than four rates are larger than their uncertainty".to_owned()),
+            };
+            let finest = &drift.rungs[drift.rungs.len() - 1];
+            let detail = format!(
+                "{}: no order of the rate in h down to h = {:.1e} s, where it is {:.1e} ± {:.1e} 1/s: {why}",
+                class.word(),
+                finest.step,
+                finest.rate,
+                finest.uncertainty
+            );
+            rule(Ruling::Inconclusive, detail).by(of)
         }
     }
-}
-
-/// The order of the rates over parts of the run, where it is the claimed one at least and the rate has its sign.
-fn converging(drift: &EnergyDrift, claimed: u32, grows: bool) -> Option<Order> {
-    let Decision::Order(found) = order_of_parts(drift) else { return None };
-    let sign = !grows || drift.rungs[drift.rungs.len() - 1].rate > 0.0;
-    (found.order >= claimed && sign).then_some(found)
-}
-
-/// Why a rate has no order: the rule and its words.
-fn without_order(drift: &EnergyDrift, class: DriftClass, decision: &Decision) -> (Rule, String) {
-    let (rule, why) = match decision {
-        Decision::Undecided(Doubt::NotAsymptotic { order, least }) => (
-            Rule::NotAsymptotic,
-            format!("r falls for no order (the least is {least:.2}, for order {order})"),
-        ),
-        _ => (Rule::Rounding, "fewer than four rates are larger than their uncertainty".to_owned()),
-    };
-    let finest = &drift.rungs[drift.rungs.len() - 1];
-    let words = format!(
-        "{}: no order of the rate in h down to h = {:.1e} s, where it is {:.1e} ± {:.1e} 1/s: {why}",
-        class.word(),
-        finest.step,
-        finest.rate,
-        finest.uncertainty.abs()
-    );
-    (rule, words)
 }

@@ -6,7 +6,7 @@
 use super::ruled;
 use crate::measure::flips::{COUNTED, flip_order, is_complete};
 use crate::measure::{Decision, Doubt};
-use crate::record::{ClaimName, Evidence, Rule, Ruling, Verdict};
+use crate::record::{ClaimName, Evidence, FlipRung, Flips, Rule, Ruling, Verdict};
 
 pub(super) fn judge(evidence: &Evidence) -> Verdict {
     let rule = |ruling, detail: String| ruled(evidence, ClaimName::FlipTimes, "flip-times", ruling, detail);
@@ -29,15 +29,8 @@ pub(super) fn judge(evidence: &Evidence) -> Verdict {
         return rule(Ruling::Inconclusive, detail).by(Rule::Open);
     }
     if !complete {
-        let counts: Vec<usize> = fine.iter().map(|rung| rung.times.len()).collect();
-        let detail = format!("{truth} flips in truth, {counts:?} at the three finest steps");
-        // Runs that differ from one another say nothing of the limit.
-        let settled = counts.windows(2).last().is_some_and(|pair| pair[0] == pair[1]);
-        let wrong = fine.last().is_none_or(|rung| !is_complete(flips, rung));
-        return match settled && wrong {
-            true => rule(Ruling::Fail, detail).by(Rule::FlipCount),
-            false => rule(Ruling::Inconclusive, format!("{detail}: smaller steps would decide it")).by(Rule::FlipCount),
-        };
+        let (ruling, detail) = miscounted(flips, fine);
+        return rule(ruling, detail).by(Rule::FlipCount);
     }
     if truth == 0 {
         return rule(Ruling::Pass, "no flip, as in truth, at the three finest steps".to_owned());
@@ -55,11 +48,25 @@ pub(super) fn judge(evidence: &Evidence) -> Verdict {
             Verdict { measured: Some(found.slope), low: Some(low), high: Some(high), ..rule(ruling, detail) }
         }
         Decision::Elsewhere { error, .. } => {
-            rule(Ruling::Fail, format!("{truth} flips: times off by {error:.2e} s however small the step")).by(Rule::Elsewhere)
+            let detail = format!("{truth} flips: times off by {error:.2e} s however small the step");
+            rule(Ruling::Fail, detail).by(Rule::Elsewhere)
         }
         Decision::Undecided(doubt) => {
             let detail = format!("{truth} flips: {}", super::order::doubted(&doubt));
             rule(Ruling::Inconclusive, detail).by(super::order::rule_of(&doubt))
         }
+    }
+}
+
+/// What runs say that do not all have the flips of the truth.
+fn miscounted(flips: &Flips, fine: &[FlipRung]) -> (Ruling, String) {
+    let counts: Vec<usize> = fine.iter().map(|rung| rung.times.len()).collect();
+    let detail = format!("{} flips in truth, {counts:?} at the three finest steps", flips.truth.times.len());
+    // Runs that differ from one another say nothing of the limit.
+    let settled = counts.windows(2).last().is_some_and(|pair| pair[0] == pair[1]);
+    let wrong = fine.last().is_none_or(|rung| !is_complete(flips, rung));
+    match settled && wrong {
+        true => (Ruling::Fail, detail),
+        false => (Ruling::Inconclusive, format!("{detail}: smaller steps would decide it")),
     }
 }

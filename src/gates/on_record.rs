@@ -173,7 +173,9 @@ fn judge_drift(evidence: &Evidence, known: &EnergyDrift) -> Option<Verdict> {
         |run: &EnergyRung| Some((*run, *known.rungs.iter().find(|one| same_step(one.step, run.step))?));
     let pairs: Vec<(EnergyRung, EnergyRung)> = now.rungs.iter().filter_map(pair).collect();
     let grows = |(now, known): &&(EnergyRung, EnergyRung)| {
-        let open = now.uncertainty.abs() + known.uncertainty.abs();
+        // A rounding of the energy over a run is one of its rate.
+        let rounding = |run: &EnergyRung| run.rounding / BELOW / (run.step * run.steps as f64);
+        let open = now.uncertainty + known.uncertainty + rounding(now) + rounding(known);
         // A rate is known to a tenth.
         now.rate.abs() > (1.0 + BELOW) * known.rate.abs() + open
     };

@@ -120,7 +120,9 @@ fn judge_convergence(evidence: &Evidence, quantity: Quantity, decision: &Decisio
     let rule = |ruling, detail| ruled(evidence, ClaimName::Converges, quantity.name(), ruling, detail);
     match decision {
         Decision::Order(found) => rule(Ruling::Pass, words(found)),
-        Decision::Exact => rule(Ruling::Pass, "every error is at its rounding".to_owned()).by(Rule::AtRounding),
+        Decision::Exact => {
+            rule(Ruling::Pass, "every error is at its rounding".to_owned()).by(Rule::AtRounding)
+        }
         Decision::Undecided(doubt) => rule(Ruling::NotApplicable, doubted(doubt)).by(rule_of(doubt)),
         Decision::Elsewhere { error, step, .. } if within_a_step(evidence, quantity, *error, *step) => {
             let unit = quantity.unit();
@@ -252,9 +254,9 @@ fn judge_odd(evidence: &Evidence, quantity: Quantity, decision: &Decision) -> Op
         // A composition rounds the state in each of its parts, of which an evaluation is one; the parts of a step are many.
         let of_parts = f64::EPSILON * rung.evaluations as f64 * asked.scale;
         let of_solves = rung.solves as f64 * SOLVED_TO * asked.scale;
-        // The others are at their rounding over all sample times, of which one may be off by more.
-        let samples = (asked.times.len() as f64).sqrt();
-        let floor = (samples * asked.floor(&odd, 1)).max(of_parts).max(of_solves);
+        // The others are within what is known of the truth over all sample times, of which one may be off by more.
+        let known = asked.known() * (asked.times.len() as f64).sqrt();
+        let floor = asked.floor(&odd, 1).max(known).max(of_parts).max(of_solves);
         // Giant steps are asked of what is promised to be exact alone.
         let asked_for = !GIANT_STEPS.contains(&rung.steps) || promised_exact(evidence, quantity);
         whole && asked_for && rung.broken.is_none() && floor <= BELOW * asked.scale && off(&odd) > Some(floor)

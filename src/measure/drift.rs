@@ -48,7 +48,7 @@ const ONE_MOMENT: f64 = 1e-9;
 fn is_flat(rung: &EnergyRung, long: f64) -> bool {
     let oscillates =
         // A change as large as the energy is that of a run whose step is too large for its rate to mean anything.
-        rung.level < 1.0 && rung.rate.abs() <= SEEN * rung.uncertainty.abs() && is_bounded(rung, long);
+        rung.level < 1.0 && rung.rate.abs() <= SEEN * rung.uncertainty && is_bounded(rung, long);
     rung.rate.abs() * long <= rung.rounding / BELOW || oscillates
 }
 
@@ -62,7 +62,7 @@ pub fn rate_order(drift: &EnergyDrift) -> Decision {
     let run = |rung: &EnergyRung| {
         let long = rung.step * rung.steps as f64;
         // What a rate may be wrong by is a bound: r is to resolve a tenth of the rate.
-        let known = rung.uncertainty.abs().max(rung.rounding / long);
+        let known = rung.uncertainty.max(rung.rounding / long);
         Run {
             step: rung.step,
             steps: rung.steps,
@@ -72,22 +72,6 @@ pub fn rate_order(drift: &EnergyDrift) -> Decision {
     };
     let runs = drift.rungs.iter().map(run).collect();
     decide(&Asked::in_f64(runs, &[1.0], 0.0))
-}
-
-/// The order in h of the rates over parts of a run: it is that of the rate, or a lower one that the averages leave of an oscillation. What the rate
-/// may be wrong by hides it where the motion changes within a run, and with it the rate.
-pub fn order_of_parts(drift: &EnergyDrift) -> Decision {
-    let run = |rung: &EnergyRung| {
-        let known = rung.rounding / (rung.step * rung.steps as f64) / (BELOW * CLEAR);
-        Run {
-            step: rung.step,
-            steps: rung.steps,
-            errors: vec![rung.rate, rung.uncertainty],
-            rounding: vec![known, known],
-        }
-    };
-    let runs = drift.rungs.iter().map(run).collect();
-    decide(&Asked::in_f64(runs, &[0.5, 1.0], 0.0))
 }
 
 /// Measures the drift; `None` for a body under torque, without spin, too near the separatrix for many periods, or
@@ -117,37 +101,36 @@ pub fn energy_drift_within(
         && contestant.runs_in_double_double()
         && is_hidden(&drift, runs.long)
         && let Ok(precise) = System::<DoubleDouble>::of(&rotor)
+        && let Some(rungs) = runs.ladder(&precise, MOST_PRECISE_STEPS, afforded / PRECISE_COST)?
     {
-        let Some(rungs) = runs.ladder(&precise, MOST_PRECISE_STEPS, afforded / PRECISE_COST)? else {
-            return Ok(None);
-        };
-        drift = EnergyDrift { rungs, double_double: true, ..drift };
+        (drift.rungs, drift.double_double) = (rungs, true);
     }
-    Ok(classified(drift, runs.long))
+    let clear = |rung: &EnergyRung| {
+        rung.rate.abs() > (SEEN * rung.uncertainty).max(rung.rounding / BELOW / runs.long)
+    };
+    let Some(class) = class_of(&drift, runs.long) else { return Ok(None) };
+    drift.class = class;
+    drift.shown = drift.rungs.iter().rposition(clear).unwrap_or(drift.rungs.len() - 1);
+    Ok(Some(drift))
 }
 
-/// With its kind, and the run that stands for it.
-fn classified(mut drift: EnergyDrift, long: f64) -> Option<EnergyDrift> {
+/// The kind of a drift; `None` without a run.
+fn class_of(drift: &EnergyDrift, long: f64) -> Option<DriftClass> {
     let finest = drift.rungs.last()?;
-    let clear = |rung: &EnergyRung| {
-        rung.rate.abs() > (SEEN * rung.uncertainty.abs()).max(rung.rounding / BELOW / long)
-    };
     // A secular change stands out of the oscillation at large steps: it is of a higher order.
     let bounded = drift
         .rungs
         .iter()
         .filter(|rung| rung.level > rung.rounding / BELOW)
         .all(|rung| is_bounded(rung, long));
-    drift.class = match rate_order(&drift) {
+    Some(match rate_order(drift) {
         _ if drift.rungs.iter().all(|rung| rung.level <= rung.rounding / BELOW) => DriftClass::Exact,
         // That of a thin body may be ten thousand times the first.
         _ if BELOW * finest.of_largest > 1.0 => DriftClass::Growing,
         _ if bounded => DriftClass::Bounded,
         Decision::Order(_) => DriftClass::Secular,
         _ => DriftClass::Undecided,
-    };
-    drift.shown = drift.rungs.iter().rposition(clear).unwrap_or(drift.rungs.len() - 1);
-    Some(drift)
+    })
 }
 
 /// Whether no order of the rate is decided, and the finest run changes the energy by no more than roundings that add up.
@@ -176,11 +159,7 @@ struct LongRuns<'a> {
 
 impl LongRuns<'_> {
     /// The body without its forces, and its runs; `None` where none are measured.
-    fn of<'a>(
-        contestant: &'a Contestant,
-        system: &System,
-        duration: f64,
-    ) -> Option<(System, LongRuns<'a>)> {
+    fn of<'a>(contestant: &'a Contestant, system: &System, duration: f64) -> Option<(System, LongRuns<'a>)> {
         let mut rotor = system.clone();
         // Without steps of its own there is no order in h to a rate.
         if !system.torque_free() || contestant.card.tolerance_exponent() > 0 {
@@ -267,7 +246,7 @@ fn run_rung<T: Arithmetic>(
         step: plan.step,
         steps,
         rate,
-        uncertainty: early - late,
+        uncertainty: (early - late).abs(),
         level: change.iter().map(|c| c.abs()).fold(0.0, super::larger),
         gain: change.iter().copied().fold(0.0, super::larger),
         of_largest: energy.iter().map(|e| (*e / most).to_f64()).fold(0.0, super::larger),
@@ -277,8 +256,8 @@ fn run_rung<T: Arithmetic>(
 }
 
 /// Secular rate of a sampled quantity, in its unit over that of time: the difference of two averages over its
-/// halves, each weighted by the square of a Hann window, over the time between them. An oscillation of n periods a half
-/// leaks into the rate as n⁻⁵ only.
+/// halves, each weighted by a Hann window, over the time between them. An oscillation of n periods a half
+/// leaks into the rate as n⁻³ only.
 ///
 /// `None` with fewer than eight samples.
 fn secular_rate(time: &[f64], value: &[f64]) -> Option<f64> {
@@ -286,17 +265,16 @@ fn secular_rate(time: &[f64], value: &[f64]) -> Option<f64> {
     if half < 4 || time.len() != value.len() {
         return None;
     }
-    let (early, late) =
-        (windowed_mean(&time[..half], &value[..half]), windowed_mean(&time[half..], &value[half..]));
+    let (early, late) = (hann_mean(&time[..half], &value[..half]), hann_mean(&time[half..], &value[half..]));
     Some((late.1 - early.1) / (late.0 - early.0))
 }
 
-/// Means of time and value under the square of a Hann window.
-fn windowed_mean(time: &[f64], value: &[f64]) -> (f64, f64) {
+/// Means of time and value under a Hann window.
+fn hann_mean(time: &[f64], value: &[f64]) -> (f64, f64) {
     let count = time.len() as f64;
     let (mut weight_sum, mut time_sum, mut value_sum) = (0.0, 0.0, 0.0);
     for (index, (t, v)) in time.iter().zip(value).enumerate() {
-        let weight = (std::f64::consts::PI * (index as f64 + 0.5) / count).sin().powi(4);
+        let weight = (std::f64::consts::PI * (index as f64 + 0.5) / count).sin().powi(2);
         weight_sum += weight;
         time_sum += weight * t;
         value_sum += weight * v;

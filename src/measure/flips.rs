@@ -54,7 +54,8 @@ pub fn flip_order(flips: &Flips) -> Decision {
     };
     let runs = flips.rungs.iter().map(run).collect();
     // In this time L turns by a radian: a flip that is further off is no small change of the motion.
-    decide(&Asked::in_f64(runs, &truth.times[..common], truth.slowest.recip()))
+    let turn = truth.slowest.recip();
+    decide(&Asked { largest: turn, ..Asked::in_f64(runs, &truth.times[..common], turn) })
 }
 
 /// Whether a run has the flips of the truth. One more or less is the same where it lies no further from the end of the run than ten times

@@ -76,12 +76,22 @@ pub struct Asked<'a> {
     pub uncertainty: f64,
     /// What a step rounds, relative.
     pub of_step: f64,
+    /// An error per sample time from which on it is no term of a series.
+    pub largest: f64,
 }
 
 impl<'a> Asked<'a> {
     /// Runs in f64 against an exact truth.
     pub fn in_f64(runs: Vec<Run>, times: &'a [f64], scale: f64) -> Asked<'a> {
-        Asked { runs, times, scale, unit: 0.0, uncertainty: 0.0, of_step: f64::EPSILON }
+        Asked {
+            runs,
+            times,
+            scale,
+            unit: 0.0,
+            uncertainty: 0.0,
+            of_step: f64::EPSILON,
+            largest: f64::INFINITY,
+        }
     }
 
     /// A quantity of a ladder.
@@ -101,9 +111,13 @@ impl<'a> Asked<'a> {
         let of_all = (samples as f64).sqrt();
         let copies = length(&run.rounding[..samples.min(run.rounding.len())]);
         let steps = self.of_step * run.steps as f64 * self.scale;
-        // Half a unit of the last digit is a bound, no estimate: r is to resolve a tenth of the error.
-        let known = (self.unit * self.scale + self.uncertainty) / BELOW;
-        (CLEAR * copies).max((steps + known) * of_all)
+        (CLEAR * copies).max((steps + self.known()) * of_all)
+    }
+
+    /// What an error must exceed for what is known of digits and truth. Half a unit of the last digit is a bound, no estimate: r is to resolve a
+    /// tenth of the error.
+    pub fn known(&self) -> f64 {
+        (self.unit * self.scale + self.uncertainty) / BELOW
     }
 
     /// The error of a run per sample time: its root mean square over them.
@@ -244,7 +258,7 @@ struct Vectors {
     steps: Vec<f64>,
     errors: Vec<Vec<f64>>,
     floors: Vec<f64>,
-    /// Length of an error as large as the quantity at every sample time.
+    /// Length from which on an error is no term of a series.
     most: f64,
 }
 
@@ -261,7 +275,7 @@ impl Vectors {
             steps: runs.iter().map(|run| run.step).collect(),
             errors: runs.iter().map(until).collect(),
             floors: runs.iter().map(|run| asked.floor(run, samples)).collect(),
-            most: if asked.scale > 0.0 { asked.scale * (samples as f64).sqrt() } else { f64::INFINITY },
+            most: asked.largest * (samples as f64).sqrt(),
         }
     }
 
@@ -330,7 +344,6 @@ impl Vectors {
             ratios[k].0 < BELOW && falls(middle, k, FALLS[0]) && falls(first, middle, FALLS[1])
         };
         let stays = |k: usize| ratios[k + 1..].iter().all(|(r, rounding)| *r < BELOW || r <= rounding);
-        // An error as large as the quantity is no term of a series.
         let clear = |k: usize| {
             let error = length(&self.errors[k]);
             error > self.floors[k] && error < self.most

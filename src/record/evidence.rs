@@ -260,7 +260,7 @@ pub struct EnergyRung {
     /// Secular rate of (E − E₀)/E₀ [1/s].
     #[serde(with = "or_infinite")]
     pub rate: f64,
-    /// Rate over the first two thirds less that over the last: its size is what the rate may be wrong by.
+    /// What the rate may be wrong by: the difference of the rates over the first and last two thirds.
     #[serde(with = "or_infinite")]
     pub uncertainty: f64,
     /// Largest |E − E₀|/E₀.

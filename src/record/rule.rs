@@ -43,8 +43,12 @@ impl Rule {
     /// The rule, in a sentence.
     pub fn explained(self) -> &'static str {
         match self {
-            Rule::FewRuns => "Fewer than four runs of halved steps came to their end. Smaller steps would decide it.",
-            Rule::Rounding => "Fewer than four errors are larger than their rounding. Larger steps would decide it.",
+            Rule::FewRuns => {
+                "Fewer than four runs of halved steps came to their end. Smaller steps would decide it."
+            }
+            Rule::Rounding => {
+                "Fewer than four errors are larger than their rounding. Larger steps would decide it."
+            }
             Rule::NotAsymptotic => {
                 "r(q) = |e(h) - 2^q e(h/2)| / |e(h)| falls below a tenth for no order q. Smaller steps would decide it."
             }
@@ -54,15 +58,21 @@ impl Rule {
             Rule::Solves => {
                 "The difference is no larger than the tolerance to which implicit equations are solved. A smaller tolerance would decide it."
             }
-            Rule::AtRounding => "Every error is as small as its rounding, so that there is no order to measure.",
+            Rule::AtRounding => {
+                "Every error is as small as its rounding, so that there is no order to measure."
+            }
             Rule::Elsewhere => "Successive runs converge to one another and not to the reference.",
             Rule::Kink => "The error is no larger than a force with a kink makes that a step misses.",
             Rule::Jump => "From one run to the next the error falls more than any order explains.",
-            Rule::Odd => "A run of an odd number of steps has an error between those of the next coarser and the next finer run.",
+            Rule::Odd => {
+                "A run of an odd number of steps has an error between those of the next coarser and the next finer run."
+            }
             Rule::Generic => "In a generic scene at least one quantity has exactly the claimed order.",
             Rule::NoClaim => "A program claims no order. --order P says which one to judge.",
             Rule::FlipCount => "The three finest runs flip as many times as the reference.",
-            Rule::NotSolved => "An implicit equation is not solved at the finest step. A smaller step would decide it.",
+            Rule::NotSolved => {
+                "An implicit equation is not solved at the finest step. A smaller step would decide it."
+            }
             Rule::NoReference => "Without a reference solution nothing is judged.",
         }
     }

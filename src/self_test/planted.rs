@@ -56,6 +56,8 @@ const DAMPED: &[&str] = &["damped-tumble"];
 const MAGNET: &[&str] = &["magnetic-satellite"];
 const PULSES: &[&str] = &["thruster-pulse", "thruster-pulse-between-steps"];
 const ORBITS: &[&str] = &["satellite-circular-orbit"];
+/// Scenes whose body starts turned against the world.
+const TURNED: &[&str] = &["satellite-gravity-gradient", "charged-body-in-fields"];
 pub(super) const FREE: &[&str] = &["free-asymmetric", "tether-springs"];
 
 /// Laws that are not those of the scene.
@@ -138,7 +140,7 @@ pub(super) const STARTS: &[Row] = &[
     (
         "orientation at the start left out",
         Plant::Start(|s| s.start.orientation = rotation::Rotation::identity()),
-        &["mujoco-free-box", "gravity-drag", "thin-body"],
+        TURNED,
     ),
     ("angular momentum taken for angular velocity", Plant::Start(momentum_for_spin), FREE),
     (
@@ -146,11 +148,7 @@ pub(super) const STARTS: &[Row] = &[
         Plant::Start(|s| s.start.velocity = Vector3::zeros()),
         &["gravity-drag", "tether-springs", "charged-body-in-fields"],
     ),
-    (
-        "angular momentum at the start in body axes",
-        Plant::Start(momentum_in_body),
-        &["gravity-drag", "mujoco-free-box", "thin-body"],
-    ),
+    ("angular momentum at the start in body axes", Plant::Start(momentum_in_body), TURNED),
     ("principal moments in another order", Plant::Start(moments_in_other_order), FREE),
     ("degrees for radians", Plant::Start(|s| s.start.angular_momentum *= 180.0 / std::f64::consts::PI), FREE),
     ("spin of the other hand", Plant::Start(|s| s.start.angular_momentum = -s.start.angular_momentum), FREE),
