@@ -225,9 +225,10 @@ mod tests {
     fn two_gates_catch_each_defect_of_wheels_damping_pulses_and_orbits() {
         let scenes =
             ["gyrostat", "damped-tumble", "magnetic-satellite", "thruster-pulse", "satellite-circular-orbit"];
-        let all = defects();
-        let own = all.iter().filter(|defect| defect.place == "law" && scenes.contains(&defect.scenes[0]));
-        let outcomes: Vec<Outcome> = own.map(look_for).collect();
+        let is_own = |defect: &Defect| defect.place == "law" && scenes.contains(&defect.scenes[0]);
+        let own: Vec<Defect> = defects().into_iter().filter(is_own).collect();
+        let on_record = on_record(&own);
+        let outcomes: Vec<Outcome> = own.iter().map(|defect| look_for(defect, &on_record)).collect();
         assert_eq!(outcomes.len(), 14);
         for outcome in outcomes {
             assert!(outcome.caught_by.len() >= ENOUGH, "{outcome:?}");
