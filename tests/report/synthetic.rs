@@ -168,6 +168,7 @@ fn verdict(scene: usize, scheme: &SchemeRow, claim: ClaimName, order: &Order) ->
         _ => (Ruling::Inconclusive, "slopes do not settle: 1.5 to 2.2"),
     };
     Verdict {
+        rule: claim.word().into(),
         scene: order.scene.clone(),
         scheme: scheme.name.clone(),
         claim,
