@@ -19,8 +19,17 @@ fn a_killed_command_leaves_whole_rows_and_ends_with_the_files_of_an_unbroken_one
 fn rows_of_a_run_that_did_not_end_are_not_thrown_away_unless_that_is_asked_for() {
     let folder = scratch();
     let gate = |more: &[&str]| {
-        let options =
-            ["gate", "free-rod", "euler", "--scheme", "euler", "--scheme", "heun", "--json", "now.json"];
+        let options = [
+            "gate",
+            "free-rod",
+            "free-oblate",
+            "--scheme",
+            "euler",
+            "--scheme",
+            "peskin-heun",
+            "--json",
+            "now.json",
+        ];
         polhode_in(folder.path(), &[&options[..], more].concat())
     };
     let rows = folder.path().join("now.json.rows");

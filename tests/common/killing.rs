@@ -34,7 +34,7 @@ pub fn commands() -> [Killed; 4] {
         },
         Killed {
             arguments: of(
-                "gate euler free-asymmetric kovalevskaya dzhanibekov free-oblate free-rod --scheme euler --scheme peskin-rk2 --json now.json",
+                "gate free-asymmetric kovalevskaya dzhanibekov free-oblate free-rod --scheme euler --scheme peskin-rk2 --json now.json",
             ),
             file: "now.json",
             code: 0,

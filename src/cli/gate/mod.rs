@@ -38,7 +38,7 @@ pub(super) struct Options {
     /// Go on where a killed run with the same --json stopped
     #[arg(long, requires = "json", conflicts_with = "from")]
     resume: bool,
-    /// Time for all runs: slow ones are left out, and what stays undecided is named
+    /// Time for all runs: the slowest are left out and named
     #[arg(long, value_name = "SECONDS", value_parser = super::seconds, conflicts_with = "from")]
     budget: Option<f64>,
     /// Print what was judged of each scheme in each scene, ten lines at most
