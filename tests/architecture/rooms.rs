@@ -49,7 +49,7 @@ const EDGES: &[(&str, &[&str])] = &[
     ("scenes", &["bounded", "model", "rotation"]),
     ("simulate", &["arithmetic", "claim", "interrupt", "model", "rotation", "schemes"]),
     ("measure", &["arithmetic", "claim", "model", "ode", "record", "reference", "rotation", "simulate"]),
-    ("gates", &["claim", "measure", "model", "quantity", "record", "schemes"]),
+    ("gates", &["arithmetic", "claim", "measure", "model", "quantity", "record", "schemes"]),
     (
         "study",
         &[
