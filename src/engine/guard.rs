@@ -19,7 +19,7 @@ while read -r sign group; do
         -) running="${running%% $group *} ${running#* $group }" ;;
     esac
 done
-for group in $running; do kill -KILL -- "-$group"; done
+for group in $running; do kill -s KILL -- "-$group"; done
 "#;
 
 static SHELL: LazyLock<Mutex<Option<ChildStdin>>> = LazyLock::new(|| Mutex::new(start()));

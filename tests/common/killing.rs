@@ -48,7 +48,7 @@ pub fn commands() -> [Killed; 4] {
         },
         Killed {
             arguments: of(
-                "sweep free-asymmetric --vary step=0.01:0.1:7 --vary initial.angular_velocity.2=1:2:5 --scheme euler --scheme rk4-quaternion --out f.csv",
+                "sweep free-asymmetric --vary step=0.01:0.1:7 --vary initial.angular_momentum.2=1:2:5 --scheme euler --scheme rk4-quaternion --out f.csv",
             ),
             file: "f.csv",
             code: 0,
