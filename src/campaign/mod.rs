@@ -106,7 +106,7 @@ impl Campaign<'_> {
             // What was running when the user asked for the end is not whole.
             prepared.filter(|_| !interrupt::requested())
         };
-        // One scene or cell at a time to whoever is free: a thread that took many at once could be left alone with them.
+        // A free thread takes one scene or cell at a time: one that took many at once could end long after the others.
         let scenes = self.scenes.par_iter().with_max_len(1);
         let gone_through: Vec<Option<Row>> = match self.budget {
             None => scenes.map(|scene| Some(self.row(prepared(scene)?, &[], &tick))).collect(),

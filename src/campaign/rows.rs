@@ -93,10 +93,9 @@ pub(super) fn reference(scene: &Scene, reference: &Reference) -> ReferenceEviden
 pub(super) fn measurements(names: &Names, rungs: &[Rung], own_clock: bool) -> Vec<Measurement> {
     let finest = rungs.iter().rposition(|rung| rung.outcome.broken.is_none());
     let is_zero = |rung: &Rung, quantity| rung.outcome.broken.is_none() && rung.errors[quantity].end == 0.0;
-    // What is zero at every step is said once. Rankings read the errors of two quantities at every step.
+    // What is zero at every step is said once.
     let varies = |quantity: Quantity| {
-        matches!(quantity, Quantity::Orientation | Quantity::BodyPoint)
-            || !rungs.iter().all(|rung| is_zero(rung, quantity))
+        ranking_reads(&end(quantity)) || !rungs.iter().all(|rung| is_zero(rung, quantity))
     };
     let rows = |(index, rung): (usize, &Rung)| {
         let run = run_row(names, rung, own_clock);
@@ -108,6 +107,16 @@ pub(super) fn measurements(names: &Names, rungs: &[Rung], own_clock: bool) -> Ve
         rows
     };
     rungs.iter().enumerate().flat_map(rows).collect()
+}
+
+/// Metric of the error of a quantity at the end.
+fn end(quantity: Quantity) -> String {
+    format!("{}-end", quantity.name())
+}
+
+/// Whether rankings read a metric at every step.
+pub(super) fn ranking_reads(metric: &str) -> bool {
+    [Quantity::Orientation, Quantity::BodyPoint].map(end).iter().any(|read| read == metric)
 }
 
 /// Digits of a value in a row, …
@@ -138,7 +147,7 @@ fn run_row(names: &Names, rung: &Rung, own_clock: bool) -> Measurement {
 /// The errors at the end of a run in the quantities that are asked for.
 fn error_rows(run: &Measurement, rung: &Rung, asked: impl Fn(Quantity) -> bool) -> Vec<Measurement> {
     let row = |(quantity, errors): (Quantity, &Reading)| Measurement {
-        metric: format!("{}-end", quantity.name()),
+        metric: end(quantity),
         value: shown(errors.end),
         unit: quantity.unit().to_owned(),
         uncertainty: uncertain(rung.floors[quantity].end),

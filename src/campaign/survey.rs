@@ -1,14 +1,17 @@
 //! All that a report shows: a campaign, and what is measured beside it.
 
+use std::collections::HashMap;
+
 #[cfg(feature = "cli")]
 use rayon::prelude::*;
 
 use super::motions::add_motions;
 use super::reduction::add_reductions;
+use super::rows::ranking_reads;
 use super::scaling::{Sizes, add_scaling};
 use super::{Campaign, SECONDS_A_COST, add_costs};
 use crate::journal::Journal;
-use crate::record::Records;
+use crate::record::{Measurement, Records};
 #[cfg(feature = "cli")]
 use crate::record::{Request, stability::Map};
 use crate::scenes::{self, Scene};
@@ -141,7 +144,9 @@ impl Survey<'_> {
         let others: Vec<Contestant> = Contestant::everyone().into_iter().filter(|one| !given(one)).collect();
         if !others.is_empty() {
             let scenes = EVERY_SCHEME.iter().filter_map(|name| Scene::find(name).ok()).collect();
-            records.take_in(self.measure(Campaign::of(scenes, others)));
+            let mut measured = self.measure(Campaign::of(scenes, others));
+            shorten(&mut measured);
+            records.take_in(measured);
         }
         for row in &mut records.schemes {
             row.apart = !schemes::MAIN.contains(&row.name.as_str());
@@ -221,4 +226,17 @@ impl Survey<'_> {
         }
         tell(3);
     }
+}
+
+/// Leaves of the schemes beside the main ones the errors that rankings read, and the others at the finest step, the last of its ladder.
+fn shorten(records: &mut Records) {
+    let key = |row: &Measurement| (row.scene.clone(), row.scheme.clone(), row.metric.clone());
+    let last: HashMap<_, usize> =
+        records.measurements.iter().enumerate().map(|(index, row)| (key(row), index)).collect();
+    let mut index = 0;
+    records.measurements.retain(|row| {
+        let kept = ranking_reads(&row.metric) || last.get(&key(row)) == Some(&index);
+        index += 1;
+        kept
+    });
 }

@@ -42,18 +42,18 @@ pub(super) fn get_ready() {
 
 /// A group of processes runs from now on.
 pub(super) fn begin(group: u32) {
-    tell('+', group);
+    write('+', group);
 }
 
 /// A group has ended.
 pub(super) fn end(group: u32) {
-    tell('-', group);
+    write('-', group);
 }
 
-fn tell(sign: char, group: u32) {
+fn write(sign: char, group: u32) {
     let mut shell = lock(&SHELL);
-    let told = shell.as_mut().map(|shell| writeln!(shell, "{sign} {group}"));
-    if let Some(Err(_)) = told {
+    let written = shell.as_mut().map(|shell| writeln!(shell, "{sign} {group}"));
+    if let Some(Err(_)) = written {
         *shell = None;
     }
 }

@@ -5,18 +5,35 @@ use super::{SOLVED_TO, left_by_solves, ruled, times};
 use crate::measure::CLEAR;
 use crate::record::{ClaimName, Evidence, OtherWorld, Rule, Ruling, Verdict};
 
-pub(super) fn judge(evidence: &Evidence) -> Vec<Verdict> {
-    if evidence.other_worlds.is_empty() {
+/// What the verdict is about.
+const WORLDS: &str = "other-worlds";
+
+/// One verdict of all worlds: that of the worst one, which it names.
+pub(super) fn judge(evidence: &Evidence) -> Verdict {
+    let worlds = &evidence.other_worlds;
+    let judged: Vec<Verdict> = worlds.iter().map(|world| judge_world(evidence, world)).collect();
+    let harm = |verdict: &Verdict| match verdict.verdict {
+        Ruling::Pass => 0,
+        Ruling::Inconclusive => 1,
+        _ => 2,
+    };
+    let worse = |a: &(&Verdict, &OtherWorld), b: &(&Verdict, &OtherWorld)| {
+        let off = |verdict: &Verdict| verdict.measured.unwrap_or(f64::INFINITY);
+        harm(a.0).cmp(&harm(b.0)).then(off(a.0).total_cmp(&off(b.0)))
+    };
+    let Some((worst, world)) = judged.iter().zip(worlds).max_by(worse) else {
         let detail =
             "no run of the ladder follows the truth to a tenth of the body's size: nothing to compare with";
-        return vec![ruled(evidence, ClaimName::Equivariant, "all", Ruling::NotApplicable, detail)];
-    }
-    evidence.other_worlds.iter().map(|world| judge_world(evidence, world)).collect()
+        return ruled(evidence, ClaimName::Equivariant, WORLDS, Ruling::NotApplicable, detail);
+    };
+    let alike = judged.iter().filter(|one| one.verdict == worst.verdict).count();
+    let detail = format!("{alike} of {} worlds, the worst {}: {}", worlds.len(), world.name, worst.detail);
+    Verdict { detail, ..worst.clone() }
 }
 
 fn judge_world(evidence: &Evidence, world: &OtherWorld) -> Verdict {
     let bound = if world.to_the_bit { 0.0 } else { CLEAR };
-    let rule = |ruling, detail: String| ruled(evidence, ClaimName::Equivariant, &world.name, ruling, detail);
+    let rule = |ruling, detail: String| ruled(evidence, ClaimName::Equivariant, WORLDS, ruling, detail);
     let (Some(of_rounding), Some((quantity, difference))) = (world.of_rounding, world.worst) else {
         return rule(Ruling::Fail, "the run breaks in the other world and not in its own".to_owned());
     };

@@ -31,7 +31,7 @@ pub fn judge(evidence: &Evidence, baseline: &Baseline) -> Vec<Verdict> {
             Claim::Rigid => verdicts.push(rigid::judge(evidence)),
             Claim::Reversible => verdicts.push(reversible::judge(evidence)),
             Claim::Symplectic => verdicts.push(symplectic::judge(evidence)),
-            Claim::Equivariant => verdicts.extend(equivariant::judge(evidence)),
+            Claim::Equivariant => verdicts.push(equivariant::judge(evidence)),
             Claim::Evaluations(count) => verdicts.push(evaluations::judge(evidence, count)),
             Claim::Solves(count) => verdicts.push(solves::judge(evidence, count)),
         }

@@ -201,7 +201,7 @@ fn concluded(
         rows: log.count,
         span: log.span,
         spacing: times::spacing(log.pairs()),
-        reference: track.as_ref().map(|track| track.told.clone()).map_err(String::clone),
+        reference: track.as_ref().map(|track| track.source.clone()).map_err(String::clone),
         findings,
         declared: reader.declared,
         frames,

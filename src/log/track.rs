@@ -4,7 +4,7 @@
 //! step at equally spaced nodes, and between them a polynomial of degree 9 through the ten nearest is taken.
 //! The spacing is halved until the polynomial through every other node misses the nodes between by less than
 //! [`CLOSE`] of each quantity; with twice as many nodes it then does better still. What it misses by is part of
-//! the uncertainty that is told.
+//! the uncertainty that is stated.
 
 use nalgebra::{Quaternion, Vector3};
 
@@ -42,7 +42,7 @@ pub(super) struct Track {
     /// What it may be wrong by: of the reference and of the interpolation.
     pub uncertainty: PerQuantity<f64>,
     /// How it was made.
-    pub told: String,
+    pub source: String,
 }
 
 impl Track {
@@ -51,16 +51,16 @@ impl Track {
         let last = times.iter().copied().fold(0.0, f64::max);
         if last == 0.0 {
             let states = dop853::solve(system, &[0.0], dop853::TOLERANCE)?.states;
-            let told = "the start itself".to_owned();
-            return Ok(Track { kind: Kind::Solved(states), uncertainty: PerQuantity::all(0.0), told });
+            let source = "the start itself".to_owned();
+            return Ok(Track { kind: Kind::Solved(states), uncertainty: PerQuantity::all(0.0), source });
         }
         // The states below are those of dop853, and so is the uncertainty.
         let reference = Reference::of_solvers(system, last, SAMPLES)?;
         let uncertainty = reference.largest_uncertainty();
         if times.len() <= ONE_BY_ONE && times.windows(2).all(|pair| pair[0] < pair[1]) {
             let states = dop853::solve(system, times, dop853::TOLERANCE)?.states;
-            let told = "dop853 at every time of the log".to_owned();
-            return Ok(Track { kind: Kind::Solved(states), uncertainty, told });
+            let source = "dop853 at every time of the log".to_owned();
+            return Ok(Track { kind: Kind::Solved(states), uncertainty, source });
         }
         Track::of_nodes(system, last, &reference)
     }
@@ -82,7 +82,7 @@ impl Track {
                 return Ok(Track {
                     kind: Kind::Nodes(nodes, spacing),
                     uncertainty: uncertainty.map(|(reference, missed)| reference + missed),
-                    told: format!(
+                    source: format!(
                         "dop853 at {count} nodes, between them polynomials of degree 9, good to {orientation:.1e} rad"
                     ),
                 });

@@ -161,7 +161,7 @@ impl LongRuns<'_> {
     /// The body without its forces, and its runs; `None` where none are measured.
     fn of<'a>(contestant: &'a Contestant, system: &System, duration: f64) -> Option<(System, LongRuns<'a>)> {
         let mut rotor = system.clone();
-        // Without steps of its own there is no order in h to a rate.
+        // A scheme that chooses its steps has no rate as a function of h.
         if !system.torque_free() || contestant.card.tolerance_exponent() > 0 {
             return None;
         }

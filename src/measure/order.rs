@@ -76,7 +76,7 @@ pub struct Asked<'a> {
     pub uncertainty: f64,
     /// What a step rounds, relative.
     pub of_step: f64,
-    /// An error per sample time from which on it is no term of a series.
+    /// A larger error per sample time is no term of a series.
     pub largest: f64,
 }
 
@@ -258,7 +258,7 @@ struct Vectors {
     steps: Vec<f64>,
     errors: Vec<Vec<f64>>,
     floors: Vec<f64>,
-    /// Length from which on an error is no term of a series.
+    /// An error of a larger length is no term of a series.
     most: f64,
 }
 

@@ -186,7 +186,7 @@ macro_rules! rates {
 }
 use rates;
 
-/// Schemes whose step a model may know in a form of its own.
+/// Schemes whose step a model may compute in a cheaper form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shortcut {
     /// Peskin's two stages.
@@ -245,7 +245,7 @@ pub trait Model {
     /// Ω does not exist.
     fn observe(&self, t: Self::Real, state: &Self::State) -> Result<Snapshot<Self::Real>, Broken>;
 
-    /// Takes steps of a scheme in place, where the model has a form of its own for it that costs less and whose states differ from those of
+    /// Takes steps of a scheme in place, where the model has a form of it that costs less and whose states differ from those of
     /// the scheme's page by rounding alone. How many were taken before one that the page has to take; `None` where the model has no such
     /// form at this step.
     #[inline(always)]

@@ -164,7 +164,7 @@ pub trait Scheme: Clone + Send + Sync + 'static {
     /// Its form for many bodies side by side, if it has one.
     const SIDE_BY_SIDE: Option<SideBySide> = None;
     #[doc(hidden)]
-    /// Its name where a model may know its step in a form of its own.
+    /// Its name where a model may compute its step in a cheaper form.
     const SHORTCUT: Option<Shortcut> = None;
     /// States that a step needs besides those that it goes from and to.
     const STATES: usize;
@@ -181,7 +181,7 @@ pub trait TurningScheme: Clone + Send + Sync + 'static {
     /// What it says of itself.
     fn card(&self) -> Card;
     #[doc(hidden)]
-    /// Its name where a model may know its step in a form of its own.
+    /// Its name where a model may compute its step in a cheaper form.
     const SHORTCUT: Option<Shortcut> = None;
     /// States that a step needs besides those that it goes from and to.
     const STATES: usize;

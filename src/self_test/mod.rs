@@ -136,7 +136,7 @@ pub fn run(progress: &(dyn Fn(usize, usize) + Sync)) -> Findings {
     let defects = defects();
     let done = AtomicUsize::new(0);
     let tick = || progress(done.fetch_add(1, Ordering::Relaxed) + 1, defects.len() + 1);
-    let judges = judges::WRONG_JUDGES.iter().map(told_judge);
+    let judges = judges::WRONG_JUDGES.iter().map(exposed);
     let on_record = on_record(&defects);
     let held_against_the_copy = held_against_the_copy(&on_record);
     tick();
@@ -154,7 +154,7 @@ pub fn run(progress: &(dyn Fn(usize, usize) + Sync)) -> Findings {
 }
 
 /// A wrong judge is caught by the made-up ladders on which it says something else than the right one.
-fn told_judge(judge: &judges::WrongJudge) -> Outcome {
+fn exposed(judge: &judges::WrongJudge) -> Outcome {
     Outcome {
         name: format!("judge that {}", judge.name),
         place: "judge",

@@ -8,9 +8,7 @@ from devtools import Browser
 
 NARROW, WIDE = 390, 1400
 MOST_NODES = 3000
-# Bytes: of a page, of the index compressed, of the one page with everything in it, of the records, of the Markdown, of the whole folder. The last
-# three that grow with the scenes (one page, records, folder) are those of a report of so many scenes.
-SCENES = 43
+# Bytes: of a page, of the index compressed, of the one page with everything in it, of the records, of the Markdown, of the whole folder.
 PAGE, PACKED_INDEX, SINGLE, RECORDS, MARKDOWN, FOLDER = 1_000_000, 300_000, 8_000_000, 20_000_000, 200_000, 35_000_000
 
 # Every figure with data is scrolled to, so that it is drawn.
@@ -214,12 +212,11 @@ def sizes(check, folder, single):
     check.holds(f"{largest.name} has {largest.stat().st_size} bytes", largest.stat().st_size <= PAGE)
     packed = len(gzip.compress((folder / "index.html").read_bytes()))
     check.holds(f"the index has {packed} bytes compressed", packed <= PACKED_INDEX)
-    share = max(1.0, len(list((folder / "pages").glob("scene-*.html"))) / SCENES)
-    limits = [(single / "index.html", share * SINGLE), (folder / "records.json", share * RECORDS), (folder / "report.md", MARKDOWN)]
+    limits = [(single / "index.html", SINGLE), (folder / "records.json", RECORDS), (folder / "report.md", MARKDOWN)]
     for path, most in limits:
         check.holds(f"{path} has {path.stat().st_size} bytes", path.stat().st_size <= most)
     whole = sum(path.stat().st_size for path in folder.rglob("*") if path.is_file())
-    check.holds(f"the folder has {whole} bytes", whole <= share * FOLDER)
+    check.holds(f"the folder has {whole} bytes", whole <= FOLDER)
     sizes = ", ".join(f"{path.name} {path.stat().st_size}" for path, _ in limits[1:])
     return f"largest page {largest.stat().st_size}, index compressed {packed}, single {(single / 'index.html').stat().st_size}, {sizes}, folder {whole} bytes"
 

@@ -22,7 +22,7 @@ fn left_by_solves() -> f64 {
 fn a_claim_without_a_measurement_is_not_applicable() {
     for (claim, name, quantity) in [
         (Claim::Reversible, Reversible, "there-and-back"),
-        (Claim::Equivariant, Equivariant, "all"),
+        (Claim::Equivariant, Equivariant, "other-worlds"),
         (Claim::Rigid, Rigid, "rigidity"),
         (Claim::Symplectic, Symplectic, "two-form"),
         (Claim::VerticalMomentum, VerticalMomentum, "vertical-momentum"),
@@ -65,24 +65,35 @@ fn there_and_back_and_other_worlds_may_differ_by_roundings_and_what_solves_leave
         let found = reversal(Some(of_rounding), solves, 0.0).verdict(Reversible, "there-and-back");
         assert_eq!(found.verdict, expected, "{of_rounding} {solves}");
         assert_eq!(numbers(&found)[1..], [Some(0.0), Some(CLEAR)]);
-        let ruling = world(false, Some(of_rounding), solves).ruling(Equivariant, "turned");
+        let ruling = world(false, Some(of_rounding), solves).ruling(Equivariant, "other-worlds");
         assert_eq!(ruling, expected, "{of_rounding} {solves}");
     }
     assert_eq!(numbers(&reversal(Some(3.0), 0, 0.0).verdict(Reversible, "there-and-back"))[0], Some(3.0));
     // A run that broke on the way back is broken; one that breaks in another world alone is not the same.
     assert_eq!(reversal(None, 100, 0.0).ruling(Reversible, "there-and-back"), Broken);
-    assert_eq!(world(false, None, 100).ruling(Equivariant, "turned"), Fail);
+    assert_eq!(world(false, None, 100).ruling(Equivariant, "other-worlds"), Fail);
 }
 
 #[test]
 fn in_binary_units_every_bit_is_the_same_whatever_is_solved() {
-    let at = |of_rounding, solves| world(true, Some(of_rounding), solves).verdict(Equivariant, "turned");
+    let at =
+        |of_rounding, solves| world(true, Some(of_rounding), solves).verdict(Equivariant, "other-worlds");
     assert_eq!([at(0.0, 0).verdict, at(1e-300, 0).verdict, at(1e-300, 100).verdict], [Pass, Fail, Fail]);
     assert_eq!(numbers(&at(0.0, 0)), [Some(0.0); 3]);
     assert_eq!(
-        numbers(&world(false, Some(3.0), 0).verdict(Equivariant, "turned")),
+        numbers(&world(false, Some(3.0), 0).verdict(Equivariant, "other-worlds")),
         [Some(3.0), Some(0.0), Some(CLEAR)]
     );
+}
+
+#[test]
+fn one_world_that_differs_is_the_verdict() {
+    let mut made = world(false, Some(3.0), 0);
+    let other = made.evidence.other_worlds[0].clone();
+    let far = OtherWorld { name: "far".to_owned(), of_rounding: Some(2.0 * CLEAR), ..other };
+    made.evidence.other_worlds.push(far);
+    let found = made.verdict(Equivariant, "other-worlds");
+    assert_eq!((found.verdict, found.measured), (Fail, Some(2.0 * CLEAR)));
 }
 
 #[test]

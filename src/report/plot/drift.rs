@@ -112,7 +112,7 @@ fn drifting(records: &Records) -> Vec<Drifting<'_>> {
     survey::scenes(records).into_iter().filter_map(one).collect()
 }
 
-/// Whether a curve is a drift: its class says so or, where none can be told, its rates have one sign and fall with the step, as roundings do not.
+/// Whether a curve is a drift: its class says so or, where it has none, its rates have one sign and fall with the step, as roundings do not.
 fn drifts(records: &Records, scene: &str, curve: &Curve) -> bool {
     let own = |row: &&Drift| row.scene == scene && row.scheme == curve.scheme && row.quantity == QUANTITY;
     match records.drifts.iter().find(own).map(|row| row.class) {

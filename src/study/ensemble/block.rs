@@ -115,7 +115,7 @@ fn observe<M: Turning<Real = f64>>(model: &M, t: f64, lane: &Lane) -> Option<Sna
     model.observe(t, &state).ok()
 }
 
-/// Runs all of them, which step in one form; `None` where one needs a run of its own: it turned by more than a radian in a step, or broke, or the
+/// Runs all of them, which step in one form; `None` where one has to run alone: it turned by more than a radian in a step, or broke, or the
 /// user asked for the end.
 pub(super) fn run<T>(
     scheme: SideBySide,
