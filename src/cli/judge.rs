@@ -126,7 +126,7 @@ fn quantity(text: &str) -> Result<Quantity, String> {
 pub(super) fn judge(options: &Options) -> Result<u8, Failure> {
     options.force.try_json(options.json.as_ref())?;
     options.force.try_place(options.errors.as_ref(), |head| head.starts_with(Series::header().trim_end()))?;
-    options.force.try_picture(options.plot.as_deref())?;
+    options.force.try_picture(options.plot.as_ref())?;
     if options.logs.len() > 1 && (options.errors.is_some() || options.plot.is_some()) {
         return Err(Failure::Usage("--errors and --plot take one log".to_owned()));
     }

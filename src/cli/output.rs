@@ -1,14 +1,14 @@
 //! Standard output, and the files that a command is asked to write.
 
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::{Args, ValueEnum};
 use serde_json::Value;
 
 use super::Failure;
-use crate::record;
+use crate::{record, report};
 
 /// Whether a file of another origin may be overwritten.
 #[derive(Args, Clone, Copy, Debug, Default)]
@@ -30,10 +30,9 @@ impl Force {
         self.try_place(path, record::is_own_json)
     }
 
-    /// The same for a picture, which is of this command where its table is.
-    pub(super) fn try_picture(self, path: Option<&Path>) -> Result<(), Failure> {
-        let tried = path.map(|path| record::try_place(path, self.given, |_| false)).transpose();
-        Ok(tried.map(drop)?)
+    /// The same for a picture.
+    pub(super) fn try_picture(self, path: Option<&PathBuf>) -> Result<(), Failure> {
+        self.try_place(path, report::is_own_picture)
     }
 }
 

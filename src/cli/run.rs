@@ -89,7 +89,7 @@ pub(super) fn run(options: &Options, quiet: bool) -> Result<u8, Failure> {
 
 fn run_in<T: Written>(options: &Options, quiet: bool) -> Result<u8, Failure> {
     options.force.try_place(options.out.as_ref(), is_own)?;
-    options.force.try_picture(options.plot.as_deref())?;
+    options.force.try_picture(options.plot.as_ref())?;
     let contestant = select::contestant(&options.scheme)?;
     let scene = Scene::find(options.scene.name())?;
     let plan = plan(options, &scene)?;

@@ -93,7 +93,7 @@ pub(super) fn sweep(options: &Options, quiet: bool) -> Result<u8, Failure> {
     let picture = options.plot.clone().or(options.out.as_ref().map(|path| path.with_extension("png")));
     let own_table = |head: &str| head.starts_with("scheme,") && head.contains(",step_s,steps,status,why,");
     options.force.try_place(options.out.as_ref(), own_table)?;
-    options.force.try_picture(picture.as_deref())?;
+    options.force.try_picture(picture.as_ref())?;
     if !quiet {
         eprintln!("polhode: {runs} runs of {} under {}", scene.name, options.schemes.join(", "));
     }

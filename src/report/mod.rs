@@ -40,7 +40,7 @@ pub use github::annotations;
 pub use junit::junit;
 pub use paper::{Language, paper_tables};
 pub use plot::motion::motion_picture;
-pub use plot::{heat_map, line_chart};
+pub use plot::{heat_map, is_own_picture, line_chart};
 pub use published::write_published;
 pub use sarif::{MARK as SARIF_MARK, sarif};
 pub use stability::{table as stability_table, write as write_stability};

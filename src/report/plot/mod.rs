@@ -44,6 +44,7 @@ use super::survey;
 use palette::Palette;
 pub(in crate::report) use raster::base64;
 pub(in crate::report) use render::Fault;
+pub use render::is_own_picture;
 use sketch::Sketch;
 pub(in crate::report) use vector::alone;
 pub(super) use work_precision::{Cast, Group};

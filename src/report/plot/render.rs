@@ -14,6 +14,14 @@ use super::{colours, font};
 #[derive(Clone, Debug)]
 pub(in crate::report) struct Fault(pub String);
 
+/// The keyword of PNG for the program that made a picture, and this program.
+const SOFTWARE: (&str, &str) = ("Software", "Polhode");
+
+/// Whether a file that begins like this is a picture of this program.
+pub fn is_own_picture(head: &str) -> bool {
+    head.contains(&format!("{}\0{}", SOFTWARE.0, SOFTWARE.1))
+}
+
 fn fault(error: impl std::fmt::Display) -> Fault {
     Fault(error.to_string())
 }
@@ -67,6 +75,7 @@ pub(super) fn encode(width: u32, height: u32, pixels: &[u8]) -> Result<Vec<u8>, 
     let mut encoder = png::Encoder::new(&mut bytes, width, height);
     encoder.set_compression(png::Compression::High);
     encoder.set_filter(png::Filter::NoFilter);
+    encoder.add_text_chunk(SOFTWARE.0.into(), SOFTWARE.1.into()).map_err(fault)?;
     let named = colours::named(pixels);
     let few = named.as_ref().is_some_and(|named| named.palette.len() <= 3 * colours::FEW);
     match &named {
