@@ -1,10 +1,11 @@
-//! The count of force evaluations, exactly. A run may begin with a few of its own, as many on every rung: a scheme that
-//! hands on the forces at the end of a step needs those at its first beginning, and after each jump of a law.
+//! The count of force evaluations, exactly. A run may begin with one more, on every rung or on none: a scheme that hands on the
+//! forces at the end of a step needs those at its first beginning. It may need one more after each jump of a law; two jumps that
+//! lie in one step are one.
 
 use super::ruled;
 use crate::record::{ClaimName, Evidence, Ruling, Verdict};
 
-/// Evaluations that a run may begin with, and go on with after a jump.
+/// Evaluations that a run may begin with.
 const MOST_AT_BEGINNING: u64 = 1;
 
 pub(super) fn judge(evidence: &Evidence, claimed: u32) -> Verdict {
@@ -13,10 +14,10 @@ pub(super) fn judge(evidence: &Evidence, claimed: u32) -> Verdict {
         let detail = "every run of the ladder broke";
         return ruled(evidence, ClaimName::Evaluations, "evaluations", Ruling::NotApplicable, detail);
     };
-    let beginning = last.evaluations.wrapping_sub(u64::from(claimed) * last.steps);
-    let most = MOST_AT_BEGINNING * (1 + evidence.setting.jumps);
-    let holds = beginning <= most
-        && whole.iter().all(|rung| rung.evaluations == u64::from(claimed) * rung.steps + beginning);
+    let more = whole.iter().map(|rung| rung.evaluations.wrapping_sub(u64::from(claimed) * rung.steps));
+    let (least, most) = more.fold((u64::MAX, 0), |(least, most), more| (least.min(more), most.max(more)));
+    let jumps = evidence.setting.jumps;
+    let holds = most <= MOST_AT_BEGINNING + jumps && most - least <= jumps;
     let verdict = if holds { Ruling::Pass } else { Ruling::Fail };
     let measured = last.evaluations as f64 / last.steps as f64;
     Verdict {

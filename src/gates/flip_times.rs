@@ -4,7 +4,7 @@
 //! times may exceed that of the scheme: what is asked is that they converge at least as fast as claimed.
 
 use super::ruled;
-use crate::measure::flips::{COUNTED, flip_order, is_complete};
+use crate::measure::flips::{COUNTED, flip_order, is_complete, is_open};
 use crate::measure::{Decision, Doubt};
 use crate::record::{ClaimName, Evidence, FlipRung, Flips, Rule, Ruling, Verdict};
 
@@ -20,9 +20,8 @@ pub(super) fn judge(evidence: &Evidence) -> Verdict {
     let fine = &flips.rungs[flips.rungs.len().saturating_sub(COUNTED)..];
     let decision = flip_order(flips);
     let complete = fine.iter().all(|rung| is_complete(flips, rung));
-    // A flip that some copies have and some have not.
-    let unknown = fine.iter().any(|rung| rung.rounding.iter().any(|apart| apart.is_infinite()));
-    if (unknown && !complete) || matches!(decision, Decision::Undecided(Doubt::Open { .. })) {
+    let open = fine.iter().any(|rung| is_open(flips, rung));
+    if (open && !complete) || matches!(decision, Decision::Undecided(Doubt::Open { .. })) {
         let detail = format!(
             "{truth} flips in truth: roundings grow until they decide when the body flips; a shorter run would decide it"
         );

@@ -72,6 +72,13 @@ pub fn is_complete(flips: &Flips, rung: &FlipRung) -> bool {
     }
 }
 
+/// Whether roundings decide how many flips a run has before its end: for one of them, copies lie as far apart as the rest of the run is long.
+/// A distance of copies counts as in [`flip_order`].
+pub fn is_open(flips: &Flips, rung: &FlipRung) -> bool {
+    let rest = |flip: usize| flips.duration - rung.times.get(flip).unwrap_or(&flips.duration);
+    rung.rounding.iter().enumerate().any(|(flip, apart)| apart * CLEAR > rest(flip))
+}
+
 /// The middle axis of a body that starts out tumbling about it freely, body axes; `None` for any other.
 pub fn tumbling_axis(system: &System) -> Option<Vector3<f64>> {
     let body = &system.body;

@@ -4,6 +4,7 @@
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+use std::time::SystemTime;
 
 use tempfile::NamedTempFile;
 
@@ -100,13 +101,20 @@ impl Write for WholeFile {
     }
 }
 
-/// Writes a file at once.
+/// Writes a file at once. One that holds the same is not replaced.
 ///
 /// # Errors
 /// Those of [`WholeFile`].
 pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), RecordError> {
+    let fail = |source| RecordError::File { path: path.into(), source };
+    if let Way::Whole(file) = place::way(path)
+        && fs::read(&file).is_ok_and(|earlier| earlier == bytes)
+    {
+        let touched = File::open(&file).and_then(|file| file.set_modified(SystemTime::now()));
+        return touched.map_err(fail);
+    }
     let mut file = WholeFile::begin(path)?;
-    file.write_all(bytes).map_err(|source| RecordError::File { path: path.into(), source })?;
+    file.write_all(bytes).map_err(fail)?;
     file.finish()
 }
 

@@ -12,9 +12,14 @@ use polhode::simulate::Contestant;
 use crate::common::{contestant, scene};
 
 fn verdicts(contestant: Contestant, scene_name: &str, claim: &str) -> Vec<Verdict> {
+    let verdicts = campaign(contestant, scene_name).run().verdicts;
+    verdicts.into_iter().filter(|verdict| verdict.claim.word() == claim).collect()
+}
+
+/// A scheme in a scene, held against nothing on record.
+fn campaign(contestant: Contestant, scene_name: &str) -> Campaign {
     let scenes = vec![scene(scene_name)];
-    let campaign = Campaign { baseline: Baseline::default(), ..Campaign::of(scenes, vec![contestant]) };
-    campaign.run().verdicts.into_iter().filter(|verdict| verdict.claim.word() == claim).collect()
+    Campaign { baseline: Baseline::default(), ..Campaign::of(scenes, vec![contestant]) }
 }
 
 /// A scheme of the list with one claim in place of its own.
@@ -152,18 +157,19 @@ impl<const FLAW: u8> Scheme for Flawed<FLAW> {
 
 #[test]
 fn a_rule_that_prefers_an_axis_or_a_unit_is_found_in_another_world() {
-    let failed = |contestant: Contestant| -> Vec<String> {
-        verdicts(contestant, "kovalevskaya", "equivariant")
-            .into_iter()
-            .inspect(|v| println!("{} {:?} {}", v.quantity, v.verdict, v.detail))
-            .filter(|v| v.verdict != Ruling::Pass)
-            .map(|v| v.quantity)
-            .collect()
+    // The worlds in which the motion differs by more than thirty roundings, and the verdict on all.
+    let judged = |contestant: Contestant| -> (Vec<String>, Ruling) {
+        let records = campaign(contestant, "kovalevskaya").run();
+        let worlds = records.evidence[0].other_worlds.iter();
+        let differ = worlds.filter(|world| world.of_rounding.is_none_or(|times| times > 30.0));
+        let verdict = records.verdicts.iter().find(|verdict| verdict.claim.word() == "equivariant");
+        (differ.map(|world| world.name.clone()).collect(), verdict.expect("a verdict").verdict)
     };
-    assert_eq!(failed(Contestant::new(Flawed::<THRESHOLD>)), ["time-1e10"]);
-    let axis = failed(Contestant::new(Flawed::<AXIS>));
-    assert!(axis.contains(&"turned".to_owned()) && axis.contains(&"binary-units".to_owned()), "{axis:?}");
-    assert_eq!(failed(Contestant::new(Flawed::<NONE>)), [""; 0]);
+    assert_eq!(judged(Contestant::new(Flawed::<THRESHOLD>)), (vec!["time-1e10".to_owned()], Ruling::Fail));
+    let (axis, ruling) = judged(Contestant::new(Flawed::<AXIS>));
+    assert!(["turned", "binary-units"].iter().all(|name| axis.iter().any(|other| other == name)), "{axis:?}");
+    assert_eq!(ruling, Ruling::Fail);
+    assert_eq!(judged(Contestant::new(Flawed::<NONE>)), (Vec::new(), Ruling::Pass));
 }
 
 #[test]

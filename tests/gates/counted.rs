@@ -44,6 +44,23 @@ fn counts_are_as_claimed_on_every_run_but_for_one_evaluation_at_the_beginning_of
 }
 
 #[test]
+fn each_jump_of_a_law_may_cost_an_evaluation_more() {
+    let jumps = 2;
+    for (more, expected) in [
+        ([3; RUNS], Pass),
+        (std::array::from_fn(|run| 1 + jumps.min(run as u64)), Pass),
+        (std::array::from_fn(|run| jumps.min(run as u64)), Pass),
+        // Three jumps, of which some runs meet none, and three with a beginning.
+        (std::array::from_fn(|run| (jumps + 1).min(run as u64)), Fail),
+        ([4; RUNS], Fail),
+    ] {
+        let mut made = counted(more);
+        made.evidence.setting.jumps = jumps;
+        assert_eq!(made.ruling(Evaluations, "evaluations"), expected, "{more:?}");
+    }
+}
+
+#[test]
 fn runs_that_broke_are_not_counted_but_where_all_did() {
     let mut made = counted(on(RUNS - 1, 7)).broken(RUNS - 1);
     let shown = |made: &Made, claim: ClaimName, quantity: &str| {
