@@ -56,7 +56,12 @@ where
 
     fn advance(&mut self, stretch: f64) -> Result<State, String> {
         let problem = |error: DiffsolError| error.to_string();
-        *self.method.state_mut().t = 0.0;
+        let state = self.method.state_mut();
+        *state.t = 0.0;
+        // The rate at the end of the last step is that before a jump: it is not the rate after it.
+        let mut rate = [0.0; DIMENSION];
+        self.equations.rate(0.0, &components(state.y), &mut rate);
+        rate.into_iter().enumerate().for_each(|(index, value)| state.dy.set_index(index, value));
         self.method.set_stop_time(stretch).map_err(problem)?;
         let (mut longest, mut before) = (0.0f64, 0.0);
         loop {
@@ -74,10 +79,10 @@ where
         // The stop time has cut the step: the one before it is what the error control asked for.
         let state = self.method.state_mut();
         *state.h = state.h.max(longest);
-        let mut reached = [0.0; DIMENSION];
-        for (index, value) in reached.iter_mut().enumerate() {
-            *value = state.y.get_index(index);
-        }
-        Ok(reached)
+        Ok(components(state.y))
     }
+}
+
+fn components(state: &impl Vector<T = f64>) -> State {
+    std::array::from_fn(|index| state.get_index(index))
 }
