@@ -1,6 +1,6 @@
 //! Files without a name: a process that is killed leaves nothing of them. Linux has them, on most file systems.
 
-use std::fs::{File, OpenOptions};
+use std::fs::{self, File, OpenOptions};
 use std::io;
 use std::os::fd::AsRawFd;
 use std::os::unix::fs::OpenOptionsExt;
@@ -17,20 +17,18 @@ pub(super) fn begin(folder: &Path) -> Option<File> {
     OpenOptions::new().write(true).mode(MODE).custom_flags(flags).open(folder).ok()
 }
 
-/// Gives a file the name of a file in its folder. One that has the name already is replaced by way of a second name, for a moment.
+/// Gives a file the name of a file in its folder. One that has the name already is removed just before: a process that is killed between the
+/// two leaves neither, and no file that has another name.
 ///
 /// # Errors
 /// The name cannot be taken.
 pub(super) fn take_name(file: &File, target: &Path) -> io::Result<()> {
-    let link = |name: &Path| {
-        let own = format!("/proc/self/fd/{}", file.as_raw_fd());
-        linkat(CWD, own, CWD, name, AtFlags::SYMLINK_FOLLOW).map_err(io::Error::from)
-    };
-    match link(target) {
+    let own = format!("/proc/self/fd/{}", file.as_raw_fd());
+    let link = || linkat(CWD, &own, CWD, target, AtFlags::SYMLINK_FOLLOW).map_err(io::Error::from);
+    match link() {
         Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
-            let mut builder = tempfile::Builder::new();
-            let second = builder.prefix(".polhode-").make_in(super::place::folder(target), link)?;
-            second.persist(target).map(drop).map_err(|error| error.error)
+            fs::remove_file(target)?;
+            link()
         }
         other => other,
     }

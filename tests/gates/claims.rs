@@ -17,7 +17,7 @@ fn verdicts(contestant: Contestant, scene_name: &str, claim: &str) -> Vec<Verdic
 }
 
 /// A scheme in a scene, held against nothing on record.
-fn campaign(contestant: Contestant, scene_name: &str) -> Campaign {
+fn campaign(contestant: Contestant, scene_name: &str) -> Campaign<'_> {
     let scenes = vec![scene(scene_name)];
     Campaign { baseline: Baseline::default(), ..Campaign::of(scenes, vec![contestant]) }
 }
