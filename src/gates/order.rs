@@ -124,10 +124,10 @@ fn judge_convergence(evidence: &Evidence, quantity: Quantity, decision: &Decisio
             rule(Ruling::Pass, "every error is at its rounding".to_owned()).by(Rule::AtRounding)
         }
         Decision::Undecided(doubt) => rule(Ruling::NotApplicable, doubted(doubt)).by(rule_of(doubt)),
-        Decision::Elsewhere { error, step, .. } if within_a_step(evidence, quantity, *error, *step) => {
+        Decision::Elsewhere { error, .. } if is_of_a_kink(evidence, quantity) => {
             let unit = quantity.unit();
             let detail = format!(
-                "the error stays at {error:.1e} {unit}, no more than a kink of a force makes that is missed for a step"
+                "the error stays at {error:.1e} {unit} and is another one where the steps meet the kinks of a force elsewhere"
             );
             rule(Ruling::NotApplicable, detail).by(Rule::Kink)
         }
@@ -144,14 +144,17 @@ fn judge_convergence(evidence: &Evidence, quantity: Quantity, decision: &Decisio
     }
 }
 
-/// Whether a force has kinks and an error is no larger than what missing it for a step makes by the end, the first sample time being about a
-/// turn: the change of a velocity grows with time. Runs of halved steps may meet a kink at the same distance from the end of a step, and then have
-/// the same error.
-fn within_a_step(evidence: &Evidence, quantity: Quantity, error: f64, step: f64) -> bool {
-    let asked = Asked::of(&evidence.ladder, quantity);
-    let ends = asked.times.first().zip(asked.times.last());
-    let missed = ends.map_or(0.0, |(turn, end)| asked.scale * (step / turn) * (end / turn));
-    evidence.setting.not_for_order.is_some() && error <= missed
+/// Whether a force has kinks and a run whose steps meet them elsewhere has another error at the end: runs of halved steps may all meet a kink at
+/// one distance from the end of a step, and then have one error.
+fn is_of_a_kink(evidence: &Evidence, quantity: Quantity) -> bool {
+    let ladder = &evidence.ladder;
+    let [.., coarser, finest] = &ladder.rungs[..] else { return false };
+    let between = ladder.odd.iter().find(|rung| coarser.steps < rung.steps && rung.steps < finest.steps);
+    let [of_odd, of_finest] = [between, Some(finest)]
+        .map(|rung| rung.map(|rung| rung.error(quantity, &ladder.arms)).unwrap_or_default());
+    let at_end = &of_finest[of_finest.len() - of_finest.len().min(of_odd.len())..];
+    let apart: Vec<f64> = of_odd.iter().zip(at_end).map(|(odd, finest)| odd - finest).collect();
+    evidence.setting.not_for_order.is_some() && length(&apart) > BELOW * length(at_end)
 }
 
 /// A fall of an error from one run to the next that the order does not explain: named above [`NAMED`], and a failure where the error vanishes

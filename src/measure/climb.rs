@@ -82,10 +82,12 @@ pub fn climb_within(
         climbed.refusal().is_some() || is_done(contestant, &climbed, order, precise.is_some())
     });
     climbed.left_out = left_out.first().copied().filter(|_| !is_done);
-    let odd = odd_steps(contestant, system, &climbed).into_iter();
+    let mut odd = odd_steps(contestant, system, &climbed);
     // A step across a jump of the laws says nothing of a scheme.
-    let odd = odd.filter(|steps| ends_at_jumps(system, reference, *steps));
-    climbed.ladder.odd = odd.map(|steps| truth.odd(contestant, steps)).collect();
+    odd.retain(|steps| ends_at_jumps(system, reference, *steps));
+    // Where an error stays, a run whose steps meet a kink elsewhere shows whether it is that of the kink.
+    odd.extend(lasting(&climbed.ladder).filter(|_| order.is_none() && !contestant.chooses_steps()).map(between));
+    climbed.ladder.odd = odd.into_iter().map(|steps| truth.odd(contestant, steps)).collect();
     if let Some(precise) = precise {
         climbed.precise = precise.climb(&climbed.ladder, steps, order.unwrap_or_default());
         climbed.exactness = steps.first().and_then(|first| precise.exactness(&climbed.ladder, *first));
@@ -101,8 +103,20 @@ fn odd_steps(contestant: &Contestant, system: &System, climbed: &Climbed) -> Vec
     match decisive(&climbed.ladder) {
         _ if climbed.refusal().is_some() || contestant.chooses_steps() => Vec::new(),
         _ if system.steady_spin() => GIANT_STEPS.to_vec(),
-        steps => steps.map(|steps| 3 * steps / 2 + 1).into_iter().collect(),
+        steps => steps.map(between).into_iter().collect(),
     }
+}
+
+/// An odd number between so many steps and twice as many.
+fn between(steps: u64) -> u64 {
+    3 * steps / 2 + 1
+}
+
+/// Steps of the coarser of the two finest runs where an error stays.
+fn lasting(ladder: &record::Ladder) -> Option<u64> {
+    let stays = |quantity| matches!(decide(&Asked::of(ladder, quantity)), Decision::Elsewhere { .. });
+    let [.., coarser, _] = &ladder.rungs[..] else { return None };
+    Quantity::ALL.into_iter().any(stays).then_some(coarser.steps)
 }
 
 /// Steps of the coarser of the two runs that decide an order, the most of any quantity; of a run in the middle where all are exact.
