@@ -165,7 +165,7 @@ pub(super) fn compose(records: &Records, main: &Records, figures: &[Figure]) -> 
             "Cost of a step against the mass points of the body, and of a campaign against its cells.",
         ),
         precision: precision::Precision::new(main, figures),
-        stability: stability::Section::new(main, figures),
+        stability: stability::Section::new(records, figures),
         scenes: survey::scenes(records)
             .into_iter()
             .map(|name| scene::Scene::new(main, figures, name, rankings::Ranking::new(records, name)))

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::record::Records;
+use crate::record::{Records, SchemeRow};
 use crate::record::stability::{LimitStatus, Meaning, Stability};
 use crate::report::plot::Subject;
 use crate::report::{number, survey};
@@ -12,9 +12,18 @@ use super::{Figure, FigureView, figure};
 /// The section.
 #[derive(Serialize)]
 pub(super) struct Section {
+    failures: Vec<Failures>,
     growth: Option<FigureView>,
     linear: Vec<Linear>,
     rows: Vec<Row>,
+}
+
+/// Where a scheme fails, of each of [`BODIES`].
+#[derive(Serialize)]
+struct Failures {
+    scheme: String,
+    anchor: String,
+    cells: [String; 4],
 }
 
 /// The limit on the spring-held body.
@@ -40,6 +49,9 @@ struct Row {
 
 const GROWTH: &str = "Growth a step of a small displacement of the spring-held body, over step and damping: zero is white, and it begins to \
                       grow at the dashed line.";
+
+/// The bodies of the line that says where a scheme fails.
+const BODIES: [&str; 4] = ["spring-held body", "free body", "tumbling body", "heavy top"];
 
 const MEANINGS: [Meaning; 3] = [Meaning::Bounded, Meaning::Energy, Meaning::Orientation];
 
@@ -75,7 +87,22 @@ impl Section {
             })
             .collect();
         let growth = figure(figures, &Subject::Growth, GROWTH);
-        (!linear.is_empty() || !rows.is_empty()).then_some(Section { growth, linear, rows })
+        let failures = main.schemes.iter().filter_map(Failures::of).collect();
+        (!linear.is_empty() || !rows.is_empty()).then_some(Section { failures, growth, linear, rows })
+    }
+}
+
+impl Failures {
+    /// `None` where it was not studied.
+    fn of(scheme: &SchemeRow) -> Option<Failures> {
+        let line = scheme.fails_where.as_ref()?;
+        let of = |body: &str| line.split("; ").find_map(|part| part.strip_prefix(body));
+        let cell = |body| of(body).map_or(number::NONE, |part| part.trim_start_matches([':', ',', ' ']));
+        Some(Failures {
+            scheme: scheme.name.clone(),
+            anchor: survey::file_stem(&scheme.name),
+            cells: BODIES.map(|body| cell(body).to_owned()),
+        })
     }
 }
 

@@ -21,7 +21,7 @@ pub(in crate::report) fn side_by_side(maps: &[Map]) -> Option<HeatMap> {
     let one = |map: &Map| Panel { title: map.scheme.clone(), ..panel(map, &[]) };
     Some(HeatMap {
         title: first.title.clone(),
-        subtitle: format!("{}; blue dies away, red grows", first.what),
+        subtitle: format!("{}; blue dies away, orange grows", first.what),
         description: format!("{}: {}", first.title, first.what),
         scale: numbers(first),
         panels: maps.iter().map(one).collect(),
