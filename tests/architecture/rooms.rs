@@ -69,7 +69,18 @@ const EDGES: &[(&str, &[&str])] = &[
     ),
     (
         "engine",
-        &["claim", "interrupt", "model", "ode", "record", "rotation", "scenes", "schemes", "simulate"],
+        &[
+            "claim",
+            "interrupt",
+            "journal",
+            "model",
+            "ode",
+            "record",
+            "rotation",
+            "scenes",
+            "schemes",
+            "simulate",
+        ],
     ),
     (
         "campaign",
