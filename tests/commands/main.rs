@@ -13,6 +13,7 @@ mod mutated_logs;
 #[path = "../common/killing.rs"]
 mod killing;
 
+
 mod advice;
 mod advise_and_sweep;
 mod baselines;
@@ -28,6 +29,7 @@ mod judge;
 mod killed;
 mod lists;
 mod log_formats;
+mod records_faults;
 mod reference;
 mod runs;
 mod scene;
