@@ -25,6 +25,7 @@ mod files;
 mod help;
 mod inspect;
 mod interrupted;
+mod json_forms;
 mod judge;
 mod killed;
 mod lists;
