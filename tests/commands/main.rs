@@ -36,3 +36,4 @@ mod runs;
 mod scene;
 mod settings;
 mod stability;
+mod terminal;
