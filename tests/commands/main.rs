@@ -13,6 +13,8 @@ mod mutated_logs;
 #[path = "../common/killing.rs"]
 mod killing;
 
+#[path = "../common/mutated_commands.rs"]
+mod mutated_commands;
 
 mod advice;
 mod advise_and_sweep;
@@ -30,6 +32,7 @@ mod judge;
 mod killed;
 mod lists;
 mod log_formats;
+mod mutated;
 mod records_faults;
 mod reference;
 mod runs;
