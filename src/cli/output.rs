@@ -9,7 +9,8 @@ use comfy_table::Table;
 use serde_json::Value;
 
 use super::Failure;
-use crate::{record, report};
+use crate::record;
+use crate::report;
 
 /// Whether a file of another origin may be overwritten.
 #[derive(Args, Clone, Copy, Debug, Default)]

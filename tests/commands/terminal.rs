@@ -63,7 +63,6 @@ fn tables_and_help_are_no_wider_than_the_terminal() {
         &["list", "claims"],
         &["run", "--help"],
         &["gate", "--help"],
-        &["compare", "--quiet", "euler", "peskin-rk2", "free-rod"],
     ] {
         let [narrow, wide] = [80, 120].map(|columns| {
             let (text, code) = on_terminal(columns, folder.path(), "exec \"$@\"", arguments, &[]);
@@ -72,6 +71,11 @@ fn tables_and_help_are_no_wider_than_the_terminal() {
         });
         assert!(narrow <= 80 && narrow <= wide && wide <= 120, "{arguments:?}: {narrow}, {wide}");
     }
+    // A sentence after a table is a line of its own length.
+    let (text, _) =
+        on_terminal(80, folder.path(), "exec \"$@\"", &["compare", "euler", "peskin-rk2", "free-rod"], &[]);
+    let rules: String = text.lines().filter(|line| line.contains('─')).collect::<Vec<_>>().join("\n");
+    assert!(longest(&rules) > 40 && longest(&rules) <= 80, "{text}");
     // A list uses the room that there is.
     let (text, _) = on_terminal(120, folder.path(), "exec \"$@\"", &["list", "scenes"], &[]);
     assert_eq!(longest(&text), 100);
