@@ -7,8 +7,8 @@ use std::collections::HashMap;
 use std::convert::Infallible;
 use std::fmt::Debug;
 use std::fs::{self, File, OpenOptions, TryLockError};
-use std::hash::{DefaultHasher, Hash, Hasher};
-use std::io::{self, Read, Write};
+use std::hash::{DefaultHasher, Hasher};
+use std::io::{self, BufRead, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
@@ -19,6 +19,8 @@ use crate::interrupt;
 
 /// The schema of the file.
 const SCHEMA: &str = "polhode/rows/1";
+/// Bytes of a file that are read at once.
+const CHUNK: usize = 1 << 16;
 
 /// The first line.
 #[derive(PartialEq, Serialize, Deserialize)]
@@ -228,10 +230,25 @@ impl Heading {
 
 /// A fingerprint of the running program, which holds the schemes.
 fn build() -> String {
-    let program = std::env::current_exe().and_then(fs::read).unwrap_or_default();
+    std::env::current_exe().and_then(|program| fingerprint(&program)).unwrap_or_default()
+}
+
+/// A fingerprint of the content of a file.
+///
+/// # Errors
+/// The file cannot be read.
+pub(crate) fn fingerprint(path: &Path) -> io::Result<String> {
+    let mut file = BufReader::with_capacity(CHUNK, File::open(path)?);
     let mut hasher = DefaultHasher::new();
-    program.hash(&mut hasher);
-    format!("{:016x}", hasher.finish())
+    loop {
+        let chunk = file.fill_buf()?;
+        if chunk.is_empty() {
+            return Ok(format!("{:016x}", hasher.finish()));
+        }
+        let length = chunk.len();
+        hasher.write(chunk);
+        file.consume(length);
+    }
 }
 
 /// The key of a whole line.

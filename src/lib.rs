@@ -24,6 +24,7 @@ mod interrupt;
 mod journal;
 mod words;
 mod bounded;
+mod fault;
 mod quantity;
 mod claim;
 mod arithmetic;

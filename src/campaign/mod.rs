@@ -146,8 +146,7 @@ impl Campaign<'_> {
         let reference = prepared.reference.as_ref()?.as_ref().ok()?;
         let (scene, card) = (prepared.scene, &contestant.card);
         let bounds = Bounds { afforded: share.finest, ..(self.bounds)(&scene.name, card.name) };
-        let known_as = contestant.program().map_or(String::new(), |program| program.name);
-        let key = (&scene.name, scene.content(), card.name, known_as, bounds, &card.claims, self.series);
+        let key = (&scene.name, scene.content(), contestant.identity(), bounds, &card.claims, self.series);
         let measure = || cell::measure(scene, reference, contestant, bounds, self.series);
         let mut cell = journal::row(self.journal, &key, measure)?;
         if let Some(left_out) = &mut Arc::make_mut(&mut cell.evidence).left_out {

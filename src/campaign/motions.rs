@@ -34,9 +34,9 @@ pub(super) fn add_motions(
     let shown =
         |scene: &&Scene| scene.only_for_stability.is_none() && scene.system.body.shape != Shape::Point;
     let scenes: Vec<&Scene> = scenes.iter().filter(shown).collect();
-    let names: Vec<&str> = contestants.iter().map(|one| one.card.name).collect();
+    let known_as: Vec<String> = contestants.iter().map(Contestant::identity).collect();
     let rows = scenes.par_iter().with_max_len(1).filter_map(|scene| {
-        let key = ("motion", &scene.name, scene.content(), &names);
+        let key = ("motion", &scene.name, scene.content(), &known_as);
         journal::row(journal, &key, || of_scene(scene, contestants))
     });
     let rows: Vec<Vec<Motion>> = rows.collect();

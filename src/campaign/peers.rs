@@ -20,7 +20,8 @@ pub fn add_peers(
     if contestants.iter().all(|contestant| contestant.program().is_none()) {
         return;
     }
-    let (others, known_as) = (Contestant::all(), known_as(contestants));
+    let others = Contestant::all();
+    let known_as: Vec<String> = contestants.iter().map(Contestant::identity).collect();
     for (index, scene) in scenes.iter().enumerate() {
         let measure = || {
             let Peers { rows, twins } =
@@ -33,9 +34,4 @@ pub fn add_peers(
         records.twins.extend(twins);
         progress(index + 1, scenes.len());
     }
-}
-
-/// The names of contestants, those that programs give themselves beside them.
-fn known_as(contestants: &[Contestant]) -> Vec<(&str, Option<String>)> {
-    contestants.iter().map(|one| (one.card.name, one.program().map(|program| program.name))).collect()
 }

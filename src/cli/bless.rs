@@ -57,7 +57,11 @@ fn reason(text: &str) -> Result<String, String> {
 pub(super) fn bless(options: &Options, quiet: bool) -> Result<u8, Failure> {
     let path = measured::baseline_file(options.baseline.as_ref()).unwrap_or(Path::new(FILE));
     record::try_place(path, options.force.given, record::is_own_baseline)?;
-    let old = Records::read(path).ok().filter(|old| !old.provenance.is_empty());
+    // A pipe has no old baseline, and reading one waits for a writer.
+    let old = match path.is_file().then(|| Records::read(path)) {
+        Some(Err(error)) if !options.force.given => return Err(error.into()),
+        old => old.and_then(Result::ok).filter(|old| !old.provenance.is_empty()),
+    };
     let mut records = match &options.from {
         Some(path) => Records::read(path)?,
         None => measured::measured(&options.selection, (None, None), Baseline::default(), None, quiet)?,

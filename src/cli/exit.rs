@@ -3,6 +3,7 @@
 use crate::bounded::FileError;
 use crate::campaign::JournalError;
 use crate::engine::{self, EngineError};
+use crate::fault::{self, Fault};
 use crate::inspect::InspectError;
 use crate::interrupt;
 use crate::record::RecordError;
@@ -61,16 +62,18 @@ pub enum Failure {
     #[error(transparent)]
     Inspect(#[from] InspectError),
     /// Settings, every fault of the file.
-    #[error("{}", lines(.0))]
-    Config(Vec<FileError>),
+    #[error("{}", fault::lines(file, faults))]
+    Config {
+        /// The file.
+        file: String,
+        /// What it says.
+        text: String,
+        /// All that is wrong, in the order of the file.
+        faults: Vec<Fault>,
+    },
     /// A scene that has no point form, asked for one.
     #[error("{0}")]
     Model(String),
-}
-
-/// An error a line.
-fn lines(errors: &[FileError]) -> String {
-    errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
 }
 
 impl Failure {
@@ -85,9 +88,9 @@ impl Failure {
             | Failure::Inspect(InspectError::File(FileError::Unreadable { .. })) => FILE,
             Failure::Inspect(_) | Failure::Judge(FileError::Content { .. }) => BAD_INPUT,
             Failure::Scene(_)
-            | Failure::Record(RecordError::Format { .. })
+            | Failure::Record(RecordError::Format { .. } | RecordError::Content { .. })
             | Failure::Model(_)
-            | Failure::Config(_) => BAD_INPUT,
+            | Failure::Config { .. } => BAD_INPUT,
             Failure::Record(RecordError::File { .. } | RecordError::Foreign { .. })
             | Failure::Report(_)
             | Failure::Journal(_)

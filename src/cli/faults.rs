@@ -1,4 +1,4 @@
-//! All that is wrong with a scene file or a robot description, each with its line, the place marked, and a text to write instead.
+//! All that is wrong with a scene, settings or records file or a robot description, each with its line, the place marked, and a text to write instead.
 
 use std::io::IsTerminal;
 use std::ops::Range;
@@ -6,8 +6,10 @@ use std::ops::Range;
 use annotate_snippets::{AnnotationKind, Group, Level, Patch, Renderer, Snippet};
 
 use super::exit::Failure;
+use crate::fault::Fault;
 use crate::inspect::InspectError;
-use crate::scenes::{Fault, SceneError};
+use crate::record::RecordError;
+use crate::scenes::SceneError;
 
 /// Bytes of a line above which it is not shown.
 const LONGEST: usize = 1000;
@@ -20,7 +22,9 @@ pub(super) fn shown(failure: &Failure) -> String {
     | Failure::Inspect(
         InspectError::Scene(SceneError::Content { file, text, faults })
         | InspectError::Content { file, text, faults },
-    )) = failure
+    )
+    | Failure::Record(RecordError::Content { file, text, faults })
+    | Failure::Config { file, text, faults }) = failure
     else {
         return format!("polhode: {failure}");
     };

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::{Args, ValueEnum};
+use comfy_table::Table;
 use serde_json::Value;
 
 use super::Failure;
@@ -37,8 +38,13 @@ impl Force {
     }
 }
 
-/// Width of a list.
+/// Width of a list where no terminal is narrower.
 const WIDTH: usize = 100;
+
+/// Columns of a list: those of the terminal that stdout is, and 100 at the most.
+fn width() -> usize {
+    Table::new().width().map_or(WIDTH, |columns| WIDTH.min(columns.into()))
+}
 
 /// Rows for people and for programs.
 pub(super) struct Listing {
@@ -79,7 +85,7 @@ impl Listing {
         self.rows.iter().map(object).collect::<Vec<serde_json::Map<String, Value>>>().into()
     }
 
-    /// Columns two blanks apart, a row a line of at most 100 columns: the last column is cut where it is too long.
+    /// Columns two blanks apart, a row a line of [`width`]: the last column is cut where it is too long.
     pub(super) fn text(&self) -> String {
         let header: Vec<String> = self.header.iter().map(|name| (*name).to_owned()).collect();
         let length = |text: &String| text.chars().count();
@@ -87,7 +93,7 @@ impl Listing {
         let last = header.len() - 1;
         let widths: Vec<usize> =
             (0..last).map(|column| rows().map(|row| length(&row[column])).max().unwrap_or(0)).collect();
-        let left = WIDTH.saturating_sub(widths.iter().map(|width| width + 2).sum());
+        let left = width().saturating_sub(widths.iter().map(|width| width + 2).sum());
         let mut text = String::new();
         for row in rows() {
             for (cell, width) in row.iter().zip(&widths) {

@@ -1,12 +1,14 @@
 //! `polhode self-test`: planted defects, each of which must go red.
 
+mod json;
+
 use std::collections::{BTreeMap, BTreeSet};
 
 use clap::Args;
 use comfy_table::{Table, presets};
 
 use super::Failure;
-use super::output::print;
+use super::output::{Format, print};
 use super::progress::with_bar;
 use crate::scenes::random::{self, Family};
 use crate::self_test::random::Finding;
@@ -28,6 +30,9 @@ pub(super) struct Options {
     /// Print random scene K of the seed as a scene file
     #[arg(long, value_name = "K", conflicts_with = "random")]
     print: Option<u64>,
+    /// Form of the findings
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
 }
 
 const EXAMPLES: &str = "\
@@ -51,10 +56,13 @@ pub(super) fn self_test(options: &Options, quiet: bool) -> Result<u8, Failure> {
         return Ok(0);
     }
     if let Some(count) = options.random {
-        return judge_random_scenes(families, options.seed, count, quiet);
+        return judge_random_scenes(families, (options.seed, count), options.format, quiet);
     }
     let findings = with_bar(quiet, "planting", |progress| self_test::run(progress));
-    print(&format!("{}\n\n{}", matrix(&findings), summary(&findings)))?;
+    print(&match options.format {
+        Format::Text => format!("{}\n\n{}", matrix(&findings), summary(&findings)),
+        Format::Json => json::of_defects(&findings),
+    })?;
     Ok(u8::from(!findings.sound()))
 }
 
@@ -108,15 +116,26 @@ const MOST_SHOWN: usize = 50;
 /// Scenes of correct schemes for each in which wrong orders are judged.
 const SCENES_FOR_A_WRONG_ORDER: u64 = 10;
 
-fn judge_random_scenes(families: &[Family], seed: u64, count: u64, quiet: bool) -> Result<u8, Failure> {
+fn judge_random_scenes(
+    families: &[Family],
+    (seed, count): (u64, u64),
+    format: Format,
+    quiet: bool,
+) -> Result<u8, Failure> {
     let findings =
         with_bar(quiet, "judging", |progress| self_test::random::run(families, seed, count, progress));
-    print(&random_summary(seed, &findings))?;
-    if families != [Family::Ordinary] {
-        return Ok(u8::from(!findings.sound()));
+    if format == Format::Text {
+        print(&random_summary(seed, &findings))?;
     }
     let scenes = count.div_ceil(SCENES_FOR_A_WRONG_ORDER);
-    print(&power_summary(scenes, &self_test::power::run(seed, scenes)))?;
+    let wrong_orders = (families == [Family::Ordinary]).then(|| self_test::power::run(seed, scenes));
+    match (format, &wrong_orders) {
+        (Format::Text, Some(rows)) => print(&power_summary(scenes, rows))?,
+        (Format::Text, None) => {}
+        (Format::Json, rows) => {
+            print(&json::of_scenes(seed, &findings, rows.as_deref().unwrap_or_default()))?
+        }
+    }
     Ok(u8::from(!findings.sound()))
 }
 

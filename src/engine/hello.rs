@@ -56,7 +56,7 @@ impl Hello {
             version,
             integrator,
             single_precision: self.single_precision(),
-            digits: 0,
+            ..Program::default()
         }
     }
 

@@ -13,6 +13,7 @@ mod check;
 pub mod compare;
 mod contract;
 mod error;
+mod files;
 mod guard;
 mod hello;
 mod laws;
@@ -69,6 +70,8 @@ const MOST_FAULTS: usize = 2;
 pub struct Engine {
     words: Vec<String>,
     hello: Hello,
+    /// Fingerprint of its files when it was started.
+    files: String,
     /// Copies that wait for a question.
     idle: Mutex<Vec<Process>>,
     faults: Mutex<Vec<String>>,
@@ -83,11 +86,13 @@ impl Engine {
     /// [`EngineError`]: it cannot be started, or does not say hello as the protocol has it.
     pub fn open(command: &str) -> Result<Engine, EngineError> {
         let words = words(command)?;
+        let files = files::fingerprint(&words);
         let (process, hello) = greet(&words)
             .map_err(|why| EngineError::Hello { command: command.trim().to_owned(), why: why.to_string() })?;
         Ok(Engine {
             words,
             hello,
+            files,
             idle: Mutex::new(vec![process]),
             faults: Mutex::default(),
             asked: AtomicU64::new(0),
@@ -112,6 +117,7 @@ impl Engine {
         Program {
             single_precision: self.hello.single_precision() || lock(&self.precision).is_single(),
             digits: lock(&self.precision).digits(),
+            files: self.files.clone(),
             ..self.hello.program()
         }
     }

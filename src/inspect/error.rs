@@ -1,7 +1,8 @@
 //! A file whose bodies cannot be inspected.
 
 use crate::bounded::FileError;
-use crate::scenes::{Fault, SceneError, lines};
+use crate::fault::lines;
+use crate::scenes::{Fault, SceneError};
 
 /// Why the bodies of a file cannot be inspected.
 #[derive(Debug, thiserror::Error)]

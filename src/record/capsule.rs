@@ -6,10 +6,10 @@ use serde::{Deserialize, Serialize, Serializer};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
-use super::{Machine, RecordError, Records, read_text};
+use super::{Machine, RecordError, Records, faults, read_text};
 
 /// The schema that [`Capsule`] follows.
-const SCHEMA: &str = "polhode/capsule/1";
+pub(super) const SCHEMA: &str = "polhode/capsule/1";
 
 /// Sections of records that a second run gives again to the bit; the others hold times of the machine.
 const SECTIONS: [&str; 10] = [
@@ -124,11 +124,14 @@ impl Capsule {
     /// The file cannot be read, is no capsule, or its content does not have the hashes that it states.
     pub fn read(path: &Path) -> Result<Capsule, RecordError> {
         let format = |why| RecordError::Format { path: path.into(), why };
-        let capsule: Capsule =
-            serde_json::from_str(&read_text(path)?).map_err(|error| format(error.to_string()))?;
-        if capsule.schema != SCHEMA {
-            return Err(format(format!("schema is \"{}\", expected \"{SCHEMA}\"", capsule.schema)));
-        }
+        let text = read_text(path)?;
+        let capsule = match serde_json::from_str::<Capsule>(&text) {
+            Ok(capsule) if capsule.schema == SCHEMA => capsule,
+            other => {
+                let (file, faults) = (path.display().to_string(), faults::of_capsule(&text, other.err()));
+                return Err(RecordError::Content { file, text, faults });
+            }
+        };
         let again = Capsule::new(capsule.scenes.clone(), capsule.request.clone(), &capsule.records);
         if again.scenes_sha256 != capsule.scenes_sha256 {
             return Err(format("the scenes do not have the hash that the capsule states".to_owned()));

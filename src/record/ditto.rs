@@ -24,7 +24,7 @@ const SHARED: [(&[&str], &str); 8] = [
 ];
 
 /// The last value of each field, by its number and what shares it.
-type Seen = HashMap<(usize, String), Value>;
+pub(super) type Seen = HashMap<(usize, String), Value>;
 
 fn key(row: &Value, index: usize) -> Option<(usize, String)> {
     Some((index, row.get(SHARED[index].1)?.as_str()?.to_owned()))
@@ -52,7 +52,7 @@ fn shorten(row: &mut Value, seen: &mut Seen) {
 }
 
 /// Puts in what an earlier row has.
-fn restore(row: &mut Value, seen: &mut Seen) {
+pub(super) fn restore(row: &mut Value, seen: &mut Seen) {
     for index in 0..SHARED.len() {
         let Some(key) = key(row, index) else { continue };
         let Some((inner, name)) = holder(row, index) else { continue };

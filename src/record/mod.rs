@@ -12,6 +12,7 @@ mod cost;
 mod ditto;
 mod engines;
 mod evidence;
+mod faults;
 mod findings;
 mod motion;
 mod nearby;
@@ -39,6 +40,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::bounded::{self, FileError};
 pub use crate::claim::ClaimName;
+use crate::fault::{self, Fault};
 #[cfg(feature = "cli")]
 pub use capsule::{Capsule, Difference, Request, SceneText};
 pub use cost::{CostRow, Grows, ScalingRow};
@@ -173,6 +175,16 @@ pub enum RecordError {
         /// What is wrong with it.
         why: String,
     },
+    /// A file says what no records file says.
+    #[error("{}", fault::lines(file, faults))]
+    Content {
+        /// The file.
+        file: String,
+        /// What it says.
+        text: String,
+        /// All that is wrong, in the order of the file: the first fault of each key of each row.
+        faults: Vec<Fault>,
+    },
 }
 
 impl Records {
@@ -228,24 +240,14 @@ impl Records {
     /// The file cannot be read, is not JSON of this shape, or follows another schema.
     pub fn read(path: &Path) -> Result<Records, RecordError> {
         let text = read_text(path)?;
-        let format = |why| RecordError::Format { path: path.into(), why };
-        let other = |schema: &str| format(format!("schema is \"{schema}\", expected \"{SCHEMA}\""));
         match serde_json::from_str::<Records>(&text) {
             Ok(records) if records.schema == SCHEMA => Ok(records),
-            Ok(records) => Err(other(&records.schema)),
-            Err(error) if error.is_eof() => Err(format(format!("the file is cut off: {error}"))),
-            Err(error) => match serde_json::from_str::<Named>(&text) {
-                Ok(named) if named.schema != SCHEMA => Err(other(&named.schema)),
-                _ => Err(format(error.to_string())),
-            },
+            other => {
+                let (file, faults) = (path.display().to_string(), faults::of_records(&text, other.err()));
+                Err(RecordError::Content { file, text, faults })
+            }
         }
     }
-}
-
-/// Any file that names its schema.
-#[derive(Deserialize)]
-struct Named {
-    schema: String,
 }
 
 /// The text of a file of records.

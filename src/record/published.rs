@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 /// A published figure, number by number, and what Polhode gives.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PublishedRow {
     /// The problem.
     pub problem: String,
@@ -41,10 +41,11 @@ pub struct PublishedRow {
 }
 
 /// What the comparison of a published figure says.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Agreement {
     /// Every number agrees within its limit.
+    #[default]
     Agrees,
     /// The published number is farther from the truth than its digits or its source say.
     PublishedIsOff,
@@ -55,9 +56,10 @@ pub enum Agreement {
 }
 
 /// How sure a published figure is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Sureness {
     /// The number itself stands in the file or data set.
+    #[default]
     A,
     /// It was read off a figure of the source: two digits.
     B,

@@ -2,10 +2,10 @@
 
 use nalgebra::Vector3;
 
-use super::fault::Fault;
 use super::table::Table;
 use super::value::Value;
 use super::wording;
+use crate::fault::Fault;
 use crate::model::body::{Body, BodyError, MassPoint};
 
 /// The keys of `[body]`.

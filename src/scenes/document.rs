@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::ops::Range;
 
-use super::fault::{Fault, Mend};
+use crate::fault::{Fault, Mend};
 
 /// The text of a scene file while it is read.
 pub(super) struct Document<'t> {
@@ -20,15 +20,7 @@ impl<'t> Document<'t> {
 
     /// A fault at some bytes of the text.
     pub fn fault(&self, span: Range<usize>, key: &str, message: impl Into<String>) -> Fault {
-        let before = &self.text.as_bytes()[..span.start.min(self.text.len())];
-        Fault {
-            line: 1 + before.iter().filter(|byte| **byte == b'\n').count(),
-            key: key.to_owned(),
-            message: message.into(),
-            advice: String::new(),
-            span,
-            mend: None,
-        }
+        Fault::at(self.text, span, key, message)
     }
 
     /// Notes a fault, and goes on.

@@ -2,8 +2,8 @@
 
 use std::io;
 
-use super::fault::Fault;
 use super::wording;
+use crate::fault::{Fault, lines};
 
 /// A scene that cannot be used.
 #[derive(Debug, thiserror::Error)]
@@ -37,11 +37,6 @@ pub enum SceneError {
         /// The three names nearest to it, the nearest first.
         near: Vec<&'static str>,
     },
-}
-
-/// A fault a line.
-pub(crate) fn lines(file: &str, faults: &[Fault]) -> String {
-    faults.iter().map(|fault| format!("{file}:{}: {fault}", fault.line)).collect::<Vec<_>>().join("\n")
 }
 
 fn meant(near: &[&str]) -> String {

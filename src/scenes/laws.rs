@@ -2,10 +2,10 @@
 
 use nalgebra::Vector3;
 
-use super::fault::Fault;
 use super::table::Table;
 use super::value::Value;
 use super::wording;
+use crate::fault::Fault;
 use crate::model::forces::{Argument, Attachment, Described, Kind, Law, Parameter};
 
 /// Reads one law, and notes all that is wrong with it. `origin` is the origin of the body in the frame of its points [m].

@@ -9,7 +9,6 @@ mod begun;
 mod body;
 mod document;
 mod error;
-mod fault;
 mod laws;
 mod list;
 #[cfg(feature = "cli")]
@@ -25,11 +24,10 @@ use std::path::Path;
 use toml::de::DeTable;
 
 #[cfg(feature = "cli")]
+pub use crate::fault::{Fault, Mend};
+#[cfg(feature = "cli")]
 pub(crate) use begun::begun;
 pub use error::SceneError;
-#[cfg(feature = "cli")]
-pub(crate) use error::lines;
-pub use fault::{Fault, Mend};
 pub use laws::block;
 pub use list::FILES;
 #[cfg(feature = "cli")]

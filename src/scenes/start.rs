@@ -3,10 +3,10 @@
 use nalgebra::{Quaternion, Vector3, Vector4};
 
 use super::body::Given;
-use super::fault::Fault;
 use super::table::Table;
 use super::value::Value;
 use super::wording;
+use crate::fault::Fault;
 use crate::model::body::{Body, Shape};
 use crate::model::forces::{Kind, Law, TorqueAxes};
 use crate::model::system::faults_of_laws as system_faults;

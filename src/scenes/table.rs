@@ -6,9 +6,9 @@ use nalgebra::Vector3;
 use toml::de::{DeTable, DeValue};
 
 use super::document::Document;
-use super::fault::Fault;
 use super::value::Value;
 use super::wording;
+use crate::fault::Fault;
 
 /// A table and the keys that it may have.
 pub(super) struct Table<'t> {

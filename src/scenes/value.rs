@@ -5,9 +5,9 @@ use toml::Spanned;
 use toml::de::{DeInteger, DeValue};
 
 use super::document::Document;
-use super::fault::Fault;
 use super::table::Table;
 use super::wording;
+use crate::fault::Fault;
 use crate::model::forces::{PerPoint, TorqueAxes};
 use crate::rotation;
 

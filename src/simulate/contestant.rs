@@ -229,6 +229,16 @@ impl Contestant {
         self.program.as_ref().map(|program| program())
     }
 
+    /// What it is, for a row that is kept: a scheme by its name, which the running program holds; a foreign program by its command line, its
+    /// answer to hello and the content of its files.
+    pub(crate) fn identity(&self) -> String {
+        let name = self.card.name.to_owned();
+        self.program().map_or(name.clone(), |program| {
+            let Program { name: own, version, integrator, files, .. } = program;
+            format!("{:?}", (name, own, version, integrator, files))
+        })
+    }
+
     /// Why the scheme cannot take a scene, if it cannot.
     pub fn refusal(&self, system: &System) -> Option<Cow<'static, str>> {
         if let Some(refusal) = &self.refusal {

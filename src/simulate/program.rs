@@ -13,4 +13,6 @@ pub struct Program {
     pub single_precision: bool,
     /// Most significant digits of a number that it has printed so far; 0 before the first.
     pub digits: usize,
+    /// Fingerprint of the files that its command line names, or empty.
+    pub files: String,
 }

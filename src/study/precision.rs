@@ -229,7 +229,7 @@ pub fn rows(
     let cells: Vec<(&Bench, &Contestant)> =
         benches.iter().flat_map(|bench| contestants.iter().map(move |one| (bench, one))).collect();
     let rows = cells.into_par_iter().with_max_len(1).filter_map(|(bench, one)| {
-        let key = ("precision", &bench.scene.name, bench.scene.content(), one.card.name);
+        let key = ("precision", &bench.scene.name, bench.scene.content(), one.identity());
         journal::row(journal, &key, || bench.rows(one)).flatten()
     });
     Ok(rows.flatten_iter().collect())

@@ -28,12 +28,13 @@ const ROOMS: [&str; 19] = [
     "study",
 ];
 /// What several rooms share, or a single function for users.
-const HELPERS: [&str; 9] =
-    ["assertion", "bounded", "guide", "interrupt", "journal", "ode", "prelude", "quantity", "words"];
+const HELPERS: [&str; 10] =
+    ["assertion", "bounded", "fault", "guide", "interrupt", "journal", "ode", "prelude", "quantity", "words"];
 
 /// A room and those it may use.
 const EDGES: &[(&str, &[&str])] = &[
     ("bounded", &[]),
+    ("fault", &[]),
     ("interrupt", &[]),
     ("journal", &["interrupt"]),
     ("words", &[]),
@@ -41,12 +42,12 @@ const EDGES: &[(&str, &[&str])] = &[
     ("claim", &["quantity", "words"]),
     ("arithmetic", &[]),
     ("rotation", &["arithmetic"]),
-    ("record", &["bounded", "claim", "quantity", "words"]),
+    ("record", &["bounded", "claim", "fault", "quantity", "words"]),
     ("model", &["arithmetic", "quantity", "rotation"]),
     ("ode", &["model", "rotation"]),
     ("schemes", &["arithmetic", "claim", "interrupt", "model", "ode", "rotation"]),
     ("reference", &["interrupt", "model", "ode", "rotation"]),
-    ("scenes", &["bounded", "model", "rotation"]),
+    ("scenes", &["bounded", "fault", "model", "rotation"]),
     ("simulate", &["arithmetic", "claim", "interrupt", "model", "rotation", "schemes"]),
     ("measure", &["arithmetic", "claim", "model", "ode", "record", "reference", "rotation", "simulate"]),
     ("gates", &["arithmetic", "claim", "measure", "model", "quantity", "record", "schemes"]),
@@ -69,7 +70,18 @@ const EDGES: &[(&str, &[&str])] = &[
     ),
     (
         "engine",
-        &["claim", "interrupt", "model", "ode", "record", "rotation", "scenes", "schemes", "simulate"],
+        &[
+            "claim",
+            "interrupt",
+            "journal",
+            "model",
+            "ode",
+            "record",
+            "rotation",
+            "scenes",
+            "schemes",
+            "simulate",
+        ],
     ),
     (
         "campaign",
@@ -91,7 +103,7 @@ const EDGES: &[(&str, &[&str])] = &[
         ],
     ),
     ("assertion", &["campaign", "claim", "gates", "record", "scenes", "schemes", "simulate"]),
-    ("inspect", &["bounded", "model", "rotation", "scenes"]),
+    ("inspect", &["bounded", "fault", "model", "rotation", "scenes"]),
     (
         "log",
         &[
@@ -136,6 +148,7 @@ const EDGES: &[(&str, &[&str])] = &[
             "campaign",
             "claim",
             "engine",
+            "fault",
             "gates",
             "inspect",
             "interrupt",

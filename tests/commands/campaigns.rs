@@ -6,7 +6,7 @@ use std::process::Command;
 
 use serde_json::Value;
 
-use crate::common::program::{code, polhode, scratch, stderr, stdout};
+use crate::common::program::{code, polhode, polhode_in, scratch, stderr, stdout};
 
 #[test]
 fn the_gate_is_0_where_all_holds_1_where_a_claim_fails_and_2_where_nothing_is_decided() {
@@ -89,6 +89,29 @@ fn a_comparison_with_nothing_is_2_and_says_so() {
     let compared = polhode(&["compare", &own, &other]);
     assert_eq!(code(&compared), 2);
     assert!(stderr(&compared).contains("nothing was compared"), "{}", stderr(&compared));
+}
+
+#[test]
+fn a_scene_in_which_nothing_moves_is_no_green_light() {
+    let folder = scratch();
+    let write = |name: &str, start: &str| {
+        let text = format!(
+            "name = \"{name}\"\nduration = 1.0\n[body]\nmass = 1.0\ninertia = [1, 2, 2.5]\n[initial]\n{start}\n"
+        );
+        fs::write(folder.path().join(format!("{name}.toml")), text).expect("written");
+    };
+    write("still", "");
+    write("drifting", "velocity = [1, 0, 0]");
+    write("turning", "angular_velocity = [0, 0, 1]");
+    let gate = |arguments: &[&str]| {
+        let output =
+            polhode_in(folder.path(), &[&["gate", "--scheme", "euler", "--quiet"], arguments].concat());
+        (code(&output), stderr(&output).contains("'still'"))
+    };
+    assert_eq!(gate(&["still.toml", "drifting.toml", "--json", "now.json"]), (2, true));
+    let again = polhode_in(folder.path(), &["gate", "--from", "now.json"]);
+    assert_eq!(code(&again), 2, "{}", stdout(&again));
+    assert_eq!(gate(&["drifting.toml", "turning.toml"]), (0, false));
 }
 
 #[test]

@@ -84,6 +84,20 @@ fn a_sweep_writes_the_rows_that_are_whole() {
 }
 
 #[test]
+fn an_interrupted_self_test_says_in_json_that_it_is_not_complete() {
+    let folder = scratch();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_polhode"));
+    command.args(["self-test", "--format", "json", "--quiet"]).current_dir(folder.path());
+    let child = command.stdout(fs::File::create(folder.path().join("found.json")).expect("a file")).spawn();
+    assert_eq!(interrupted(child.expect("the program runs"), listens), 130);
+    let text = fs::read_to_string(folder.path().join("found.json")).expect("written");
+    let found: Value = serde_json::from_str(&text).expect("JSON");
+    assert_eq!((&found["schema"], &found["kind"]), (&"polhode/self-test/1".into(), &"defects".into()));
+    assert_eq!((&found["complete"], &found["sound"]), (&false.into(), &false.into()));
+    assert!(found["defects"].is_array() && found["held_against_the_copy"].is_array());
+}
+
+#[test]
 fn commands_without_records_end_too() {
     for arguments in [
         &["self-test"][..],

@@ -13,6 +13,9 @@ mod mutated_logs;
 #[path = "../common/killing.rs"]
 mod killing;
 
+#[path = "../common/mutated_commands.rs"]
+mod mutated_commands;
+
 mod advice;
 mod advise_and_sweep;
 mod baselines;
@@ -24,12 +27,16 @@ mod files;
 mod help;
 mod inspect;
 mod interrupted;
+mod json_forms;
 mod judge;
 mod killed;
 mod lists;
 mod log_formats;
+mod mutated;
+mod records_faults;
 mod reference;
 mod runs;
 mod scene;
 mod settings;
 mod stability;
+mod terminal;

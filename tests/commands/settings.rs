@@ -67,7 +67,7 @@ fn every_fault_of_the_file_is_65_with_the_word_that_is_wrong() {
     let output = polhode_in(folder.path(), &["gate", "--config", "other.toml"]);
     assert_eq!(code(&output), 65);
     let said = stderr(&output);
-    for place in ["other.toml:1: ", "other.toml:4: ", "other.toml:5: ", "other.toml:7: "] {
+    for place in ["other.toml:1:1", "other.toml:4:1", "other.toml:5:9", "other.toml:7:1"] {
         assert!(said.contains(place), "{said}");
     }
     for word in ["'shemes'", "'ordre'", "\"two\"", "'euler'"] {

@@ -93,6 +93,27 @@ fn an_engine_compares_with_a_scheme() {
 }
 
 #[test]
+fn findings_of_a_check_are_rows_of_json() {
+    let stage = Stage::new();
+    let wrong = stage.script(&format!("{HELLO}; while read -r line; do echo '{ANSWER}'; done"));
+    for (command, expected) in [(example(), 0), (wrong.as_str(), 1)] {
+        let output = polhode(&["engine", "check", "--format", "json", command]);
+        assert_eq!(code(&output), expected, "{}", stderr(&output));
+        let found = json(&stdout(&output));
+        assert_eq!(found["schema"], "polhode/engine-check/1");
+        let rules = found["rules"].as_array().expect("rules");
+        assert!(rules.iter().all(|rule| rule["holds"] == rule["violation"].is_null()));
+        assert_eq!(rules.iter().any(|rule| rule["holds"] == false), expected == 1);
+    }
+    let output = polhode(&["engine", "check", "--contract", "--format", "json", example()]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    let found = json(&stdout(&output));
+    assert_eq!(found["schema"], "polhode/engine-contract/1");
+    let clauses = found["clauses"].as_array().expect("clauses");
+    assert!(clauses.len() == 8 && clauses.iter().any(|clause| clause["conduct"] == "holds"));
+}
+
+#[test]
 fn the_engine_of_the_examples_conforms_and_a_wrong_one_is_told_why() {
     let output = polhode(&["engine", "check", example()]);
     assert_eq!(code(&output), 0, "{}", stdout(&output));

@@ -8,6 +8,7 @@ mod common;
 mod behaving;
 mod budget;
 mod contract;
+mod mended;
 mod misbehaving;
 mod peers;
 mod stage;

@@ -17,6 +17,9 @@ mod mutated_logs;
 
 #[path = "../common/killing.rs"]
 mod killing;
+
+#[path = "../common/mutated_commands.rs"]
+mod mutated_commands;
 /// The records that the other tests of reports take a part of.
 #[allow(dead_code, reason = "the other tests use the rest")]
 #[path = "../report/synthetic.rs"]
@@ -26,6 +29,7 @@ mod equal_work;
 mod explained_logs;
 mod killed;
 mod million_radians;
+mod mutated;
 mod planted_defects;
 mod random_scenes;
 mod recurrence;

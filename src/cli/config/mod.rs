@@ -14,7 +14,8 @@ pub(super) use keys::commented;
 pub(super) use schema::schema;
 
 use super::Failure;
-use crate::bounded::{self, FileError};
+use crate::bounded;
+use crate::fault::Fault;
 use crate::gates::Tolerance;
 use crate::measure::Bounds;
 
@@ -79,16 +80,17 @@ impl Config {
     }
 
     fn parse(text: &str, file: &str) -> Result<Config, Failure> {
-        let mut faults = read::Faults::of(file, text);
+        let fail = |faults| Failure::Config { file: file.to_owned(), text: text.to_owned(), faults };
+        let mut faults = read::Faults::of(text);
         faults.check();
         let faults = faults.finish();
         if !faults.is_empty() {
-            return Err(Failure::Config(faults));
+            return Err(fail(faults));
         }
-        toml::from_str(text).map_err(|error| {
-            let why = error.message().to_owned();
-            Failure::Config(vec![FileError::Content { file: file.to_owned(), line: 1, why }])
-        })
+        let whole = |error: toml::de::Error| {
+            fail(vec![Fault::at(text, error.span().unwrap_or(0..0), "", error.message())])
+        };
+        toml::from_str(text).map_err(whole)
     }
 
     /// The bounds of the runs in a scene.
@@ -134,19 +136,11 @@ mod tests {
     fn every_fault_is_found_with_its_line_and_the_word_that_is_wrong() {
         let text = "shemes = [\"euler\"]\nscenes = 3\n[gate]\norder = 0\n[[tolerances]]\nquantity = \"spin\"\n\
                     [[ladders]]\nfinest = 100\nrungs = 2\n[engines]\na = 1\n";
-        let Err(Failure::Config(faults)) = Config::parse(text, "x.toml") else { panic!("accepted") };
-        let found: Vec<(usize, &str)> = faults
-            .iter()
-            .map(|fault| match fault {
-                FileError::Content { line, why, .. } => (*line, why.as_str()),
-                FileError::Unreadable { .. } => panic!("{fault}"),
-            })
-            .collect();
+        let Err(Failure::Config { faults, .. }) = Config::parse(text, "x.toml") else { panic!("accepted") };
+        let found: Vec<(usize, &str)> =
+            faults.iter().map(|fault| (fault.line, &text[fault.span.clone()])).collect();
         let expected =
             [(1, "shemes"), (2, "3"), (4, "0"), (6, "\"spin\""), (8, "100"), (9, "rungs"), (11, "1")];
-        assert_eq!(found.len(), expected.len(), "{found:?}");
-        for ((line, why), (wanted, word)) in found.iter().zip(expected) {
-            assert!(*line == wanted && why.contains(word), "{line}: {why}");
-        }
+        assert_eq!(found, expected);
     }
 }

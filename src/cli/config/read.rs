@@ -6,8 +6,8 @@ use toml::Spanned;
 use toml::de::{DeInteger, DeTable, DeValue};
 
 use super::keys::{Form, Key, Kind, SECTIONS, Section};
-use crate::bounded::FileError;
 use crate::cli::select::meant;
+use crate::fault::Fault;
 use crate::model::Quantity;
 use crate::simulate::Contestant;
 
@@ -16,30 +16,23 @@ pub(super) const STEPS: std::ops::RangeInclusive<u32> = 2..=20;
 
 /// The faults of a file.
 pub(super) struct Faults<'t> {
-    file: &'t str,
     text: &'t str,
-    found: Vec<(usize, String)>,
+    found: Vec<Fault>,
 }
 
 impl<'t> Faults<'t> {
-    pub(super) fn of(file: &'t str, text: &'t str) -> Faults<'t> {
-        Faults { file, text, found: Vec::new() }
+    pub(super) fn of(text: &'t str) -> Faults<'t> {
+        Faults { text, found: Vec::new() }
     }
 
     fn add(&mut self, place: Range<usize>, why: String) {
-        self.found.push((place.start, why));
+        self.found.push(Fault::at(self.text, place, "", why));
     }
 
     /// In the order of the file.
-    pub(super) fn finish(mut self) -> Vec<FileError> {
-        self.found.sort_by_key(|(start, _)| *start);
-        let line = |start: usize| 1 + self.text.as_bytes()[..start].iter().filter(|b| **b == b'\n').count();
-        let error = |(start, why): &(usize, String)| FileError::Content {
-            file: self.file.to_owned(),
-            line: line(*start),
-            why: why.clone(),
-        };
-        self.found.iter().map(error).collect()
+    pub(super) fn finish(mut self) -> Vec<Fault> {
+        self.found.sort_by_key(|fault| fault.span.start);
+        self.found
     }
 
     /// Looks at the whole file.
@@ -47,8 +40,7 @@ impl<'t> Faults<'t> {
         match DeTable::parse(self.text) {
             Ok(root) => self.top(root.get_ref()),
             Err(error) => {
-                let start = error.span().map_or(0, |span| span.start.min(self.text.len()));
-                self.add(start..start, format!("not TOML: {}", error.message()));
+                self.add(error.span().unwrap_or(0..0), format!("not TOML: {}", error.message()));
             }
         }
     }

@@ -6,10 +6,11 @@ mod contract;
 use std::path::PathBuf;
 
 use clap::{Args, Subcommand, ValueEnum};
+use serde_json::{Value, json};
 
 use super::Failure;
-use super::output::{Force, print};
-use crate::engine::{self, Language};
+use super::output::{Force, Format, print};
+use crate::engine::{self, Finding, Language};
 use crate::record;
 
 /// Options of `polhode engine`.
@@ -59,6 +60,9 @@ enum What {
         /// described in three ways
         #[arg(long)]
         contract: bool,
+        /// Form of the findings
+        #[arg(long, value_enum, default_value_t)]
+        format: Format,
         /// The command line that starts it, quoted, or after --; with or without 'engine:' before it
         #[arg(value_name = "COMMAND LINE", required = true, num_args = 1..)]
         command: Vec<String>,
@@ -87,8 +91,8 @@ pub(super) fn engine(options: &Options, quiet: bool) -> Result<u8, Failure> {
             }
             Ok(0)
         }
-        What::Check { contract: true, command } => contract::check(&line(command)),
-        What::Check { contract: false, command } => check(&line(command)),
+        What::Check { contract: true, format, command } => contract::check(&line(command), *format),
+        What::Check { contract: false, format, command } => check(&line(command), *format),
         What::Compare(options) => compare::compare(options, quiet),
     }
 }
@@ -101,23 +105,43 @@ fn line(command: &[String]) -> String {
     }
 }
 
-fn check(command: &str) -> Result<u8, Failure> {
+fn check(command: &str, format: Format) -> Result<u8, Failure> {
     let findings = engine::check(command)?;
+    let violations = findings.iter().filter(|finding| finding.violation.is_some()).count();
+    print(&match format {
+        Format::Text => in_words(&findings, violations),
+        Format::Json => in_json(command, &findings),
+    })?;
+    Ok(u8::from(violations > 0))
+}
+
+/// As JSON, schema polhode/engine-check/1.
+fn in_json(command: &str, findings: &[Finding]) -> String {
+    let rule = |finding: &Finding| {
+        json!({
+            "rule": finding.rule,
+            "holds": finding.violation.is_none(),
+            "violation": finding.violation,
+            "seen": finding.seen,
+        })
+    };
+    let rules: Vec<Value> = findings.iter().map(rule).collect();
+    format!("{:#}\n", json!({ "schema": "polhode/engine-check/1", "command": command, "rules": rules }))
+}
+
+fn in_words(findings: &[Finding], violations: usize) -> String {
     let mut text = String::new();
-    for finding in &findings {
+    for finding in findings {
         let (word, seen) = match &finding.violation {
             None => ("ok  ", &finding.seen),
             Some(violation) => ("FAIL", violation),
         };
         text += &format!("{word}  {}\n      {seen}\n", finding.rule);
     }
-    let violations = findings.iter().filter(|finding| finding.violation.is_some()).count();
-    text += &match violations {
+    text + &match violations {
         0 => format!("\nthe engine keeps to the protocol: {} of {0} rules hold\n", findings.len()),
         count => format!("\nthe engine breaks {count} of {} rules\n", findings.len()),
-    };
-    print(&text)?;
-    Ok(u8::from(violations > 0))
+    }
 }
 
 impl Choice {

@@ -2,19 +2,23 @@
 
 mod written;
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Duration;
 
 use clap::Args;
 
 use self::written::Written;
 use super::Failure;
+use super::exit::UNDECIDED;
 use super::measured;
 use super::output::{painted, print};
 use super::select::Selection;
 use crate::campaign::Journal;
 use crate::gates::{self, Baseline};
-use crate::record::{ClaimName, Records, Ruling, Verdict};
+use crate::model::Quantity;
+use crate::record::{ClaimName, Evidence, Ladder, Records, Ruling, Verdict};
 use crate::report;
 
 /// Options of `polhode gate`.
@@ -56,8 +60,8 @@ Examples:
   polhode gate --scheme 'engine:python3 my_engine.py' --order 2 --budget 600
   polhode gate --from reports/latest/records.json            the same verdicts, without a run
 
-Exit code: 0 every claim holds or is a known deviation, 1 one fails, 2 one is undecided, or
-nothing was judged.";
+Exit code: 0 every claim holds or is a known deviation, 1 one fails, 2 one is undecided, nothing was
+judged, or nothing moves in a scene.";
 
 pub(super) fn gate(options: &Options, quiet: bool) -> Result<u8, Failure> {
     options.written.try_places()?;
@@ -89,7 +93,24 @@ fn judged(options: &Options, partners: Option<&Baseline>, records: &Records) -> 
     }
     let code = gates::exit_code(&records.verdicts);
     let compared = partners.is_none_or(|baseline| has_partners(baseline, records));
-    Ok(if code == 0 && !compared { 2 } else { code })
+    let motionless = motionless(records);
+    motionless.iter().for_each(|scene| say_motionless(scene));
+    Ok(if code == 0 && (!compared || !motionless.is_empty()) { UNDECIDED } else { code })
+}
+
+/// The scenes in whose motion both velocities are zero throughout.
+fn motionless(records: &Records) -> BTreeSet<&str> {
+    let stands = |row: &&Arc<Evidence>| {
+        let Ladder { sizes, rungs, .. } = &row.ladder;
+        !rungs.is_empty() && sizes[Quantity::Velocity] == 0.0 && sizes[Quantity::AngularVelocity] == 0.0
+    };
+    records.evidence.iter().filter(stands).map(|row| row.scene.as_str()).collect()
+}
+
+fn say_motionless(scene: &str) {
+    eprintln!(
+        "polhode: nothing moves in scene '{scene}', so that every scheme passes: give the body a velocity or a force"
+    );
 }
 
 /// The verdicts on stored evidence.

@@ -46,6 +46,12 @@ impl Polynomial {
         Some(Polynomial { coefficients, end, curvature, negligible })
     }
 
+    /// Whether its terms are numbers of f64: (1) to (3) decide nothing where they overflow.
+    pub(super) fn is_finite(&self) -> bool {
+        let coefficients = self.coefficients.iter().all(|c| c.is_finite());
+        coefficients && self.curvature.is_finite() && self.negligible.is_finite()
+    }
+
     /// Whether it is above zero just after 0.
     pub(super) fn starts_positive(&self) -> bool {
         self.coefficients[0].high > 0.0
@@ -78,7 +84,7 @@ impl Polynomial {
         let (value, slope) = (self.at(middle).high.abs(), self.slope(middle.high).abs());
         let bend = 0.5 * self.curvature * half * half;
         let tiny = half <= DoubleDouble::ROUNDING * self.end;
-        if value > slope * half + bend || value + slope * half + bend < self.negligible || tiny {
+        if value > slope * half + bend || value + slope * half + bend <= self.negligible || tiny {
             return; // (1), (3)
         }
         if slope > self.curvature * half {
@@ -166,5 +172,17 @@ mod tests {
         let flat = Polynomial::reduced(&with_roots(&[0.0, 0.0, 0.0, 0.25]), 0.0, 1.0, 1e-29);
         assert_eq!(flat.expect("a polynomial").crossings(), [DoubleDouble::from(0.25)]);
         assert!(Polynomial::reduced(&[DoubleDouble::ZERO; 5], 0.0, 1.0, 1e-29).is_none());
+    }
+
+    #[test]
+    fn terms_that_overflow_are_no_polynomial_and_terms_that_underflow_are_rounding() {
+        let of = |cubic: f64, end| {
+            let coefficients = [1.0, -1.0, 0.5, cubic].map(DoubleDouble::from);
+            Polynomial::reduced(&coefficients, 0.0, end, 1e-29).expect("a polynomial")
+        };
+        assert!(of(1.0, 1.0).is_finite() && !of(f64::NAN, 1.0).is_finite() && !of(1e200, 1e150).is_finite());
+        let smallest = [f64::from_bits(1); 5].map(DoubleDouble::from);
+        let tiny = Polynomial::reduced(&smallest, 0.0, 0.25, 0.0).expect("a polynomial");
+        assert_eq!(tiny.crossings(), []);
     }
 }

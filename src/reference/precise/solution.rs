@@ -253,6 +253,15 @@ mod tests {
     }
 
     #[test]
+    fn a_body_whose_terms_overflow_is_refused_and_does_not_run_on() {
+        let mut system = dropped(0.0);
+        let mut points = system.body.points.clone();
+        points[2].mass = 1e150;
+        system.body = Body::from_points(&points, None).expect("a body").0;
+        assert!(matches!(solve(&system, &[2.0], AFFORDABLE), Err(SolverError::NotFinite { .. })));
+    }
+
+    #[test]
     fn other_orders_and_steps_agree_within_both_bounds_across_contacts_too() {
         let others = [Control { order: 30, tolerance: 1e-32 }, Control { order: 44, tolerance: 1e-33 }];
         let times: Vec<f64> = (1..=16).map(|j| f64::from(j) / 8.0).collect();

@@ -21,6 +21,10 @@ pub(super) struct Switch {
     guard: usize,
 }
 
+/// The terms of a guard are no numbers of f64.
+#[derive(Debug)]
+pub(super) struct Overflow;
+
 /// A branch of the equations and its series.
 pub(super) struct Stretch {
     touching: Vec<bool>,
@@ -105,24 +109,28 @@ impl Stretch {
     }
 
     /// The first contact that is made or lost before `end`.
-    pub(super) fn first_switch(&self, end: f64) -> Option<Switch> {
-        let switches = (0..self.contacts()).filter_map(|contact| self.switch(contact, end));
-        switches.min_by(|a, b| compare(a.after, b.after))
+    pub(super) fn first_switch(&self, end: f64) -> Result<Option<Switch>, Overflow> {
+        let switches = (0..self.contacts()).filter_map(|contact| self.switch(contact, end).transpose());
+        let switches = switches.collect::<Result<Vec<Switch>, Overflow>>()?;
+        Ok(switches.into_iter().min_by(|a, b| compare(a.after, b.after)))
     }
 
-    fn switch(&self, contact: usize, end: f64) -> Option<Switch> {
-        let polynomials: Vec<Polynomial> =
-            self.guards(contact).map(|guard| self.polynomial(contact, guard, end)).collect::<Option<_>>()?;
+    fn switch(&self, contact: usize, end: f64) -> Result<Option<Switch>, Overflow> {
+        let polynomials = self.guards(contact).map(|guard| self.polynomial(contact, guard, end));
+        let Some(polynomials) = polynomials.collect::<Option<Vec<Polynomial>>>() else { return Ok(None) };
+        if !polynomials.iter().all(Polynomial::is_finite) {
+            return Err(Overflow);
+        }
         let mut positive: Vec<bool> = polynomials.iter().map(Polynomial::starts_positive).collect();
         let crossings = |(guard, p): (usize, &Polynomial)| {
             p.crossings().into_iter().map(move |after| Switch { after, contact, guard })
         };
         let mut crossings: Vec<Switch> = polynomials.iter().enumerate().flat_map(crossings).collect();
         crossings.sort_by(|a, b| compare(a.after, b.after));
-        crossings.into_iter().find(|switch| {
+        Ok(crossings.into_iter().find(|switch| {
             positive[switch.guard] = !positive[switch.guard];
             positive.iter().all(|positive| *positive) != self.touching[contact]
-        })
+        }))
     }
 }
 

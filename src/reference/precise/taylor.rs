@@ -113,11 +113,12 @@ impl Run<'_> {
         };
         self.course.switches += switched;
         let step = step(&self.stretch.series, self.problem, self.control);
+        let overflow = || SolverError::NotFinite { method: NAME, time: self.seconds() };
         if !self.state.iter().all(|x| x.is_finite()) || step.is_nan() {
-            return Err(SolverError::NotFinite { method: NAME, time: self.seconds() });
+            return Err(overflow());
         }
         let longest = step.min(self.last - self.reached.high);
-        let switch = self.stretch.first_switch(longest);
+        let switch = self.stretch.first_switch(longest).map_err(|_| overflow())?;
         let stride = switch.map_or(step.into(), |switch| switch.after);
         self.work += self.stretch.work();
         let rest = if self.course.steps < ENOUGH { 0.0 } else { self.last / self.reached.high };

@@ -95,7 +95,7 @@ impl Study<'_> {
             ..Stability::default()
         };
         for (name, contestant) in &self.maps {
-            let key = ("map", name, contestant.card.name, self.cells);
+            let key = ("map", name, contestant.identity(), self.cells);
             study
                 .maps
                 .extend(journal::row(self.journal, &key, || map(name, contestant, self.cells)).flatten());
@@ -108,7 +108,7 @@ impl Study<'_> {
 
     fn linear(&self, tick: &(dyn Fn() + Sync)) -> Vec<LinearLimit> {
         let rows = self.contestants.par_iter().filter_map(|contestant| {
-            let key = ("linear", contestant.card.name);
+            let key = ("linear", contestant.identity());
             let row = journal::row(self.journal, &key, || linear_limit(contestant)).flatten();
             tick();
             row
@@ -145,8 +145,7 @@ impl Study<'_> {
                 Ok(truth) => search::limits(&scene.name, contestant, truth),
                 Err(error) => search::without_truth(&scene.name, contestant, &error.to_string()),
             };
-            let known_as = contestant.program().map(|program| program.name);
-            let key = ("limits", &scene.name, scene.content(), contestant.card.name, known_as);
+            let key = ("limits", &scene.name, scene.content(), contestant.identity());
             let rows = truth.as_ref().and_then(|truth| journal::row(self.journal, &key, || measure(truth)));
             tick();
             rows
@@ -161,7 +160,7 @@ impl Study<'_> {
         let cells: Vec<_> =
             long_run::SCENES.iter().flat_map(|scene| self.long.iter().map(move |c| (*scene, c))).collect();
         let runs = cells.par_iter().filter_map(|(scene, contestant)| {
-            let key = ("long run", scene, contestant.card.name, self.long_steps);
+            let key = ("long run", scene, contestant.identity(), self.long_steps);
             let row =
                 journal::row(self.journal, &key, || long_run(scene, contestant, self.long_steps)).flatten();
             tick();
@@ -170,7 +169,7 @@ impl Study<'_> {
         study.long_runs = runs.collect();
         study.energy_law = journal::row(self.journal, &"energy law", energy_law).unwrap_or_default();
         let kinks = self.long.iter().filter_map(|contestant| {
-            journal::row(self.journal, &("kink", contestant.card.name), || kink_order(contestant))
+            journal::row(self.journal, &("kink", contestant.identity()), || kink_order(contestant))
         });
         study.kink_orders = kinks.collect();
     }

@@ -220,8 +220,8 @@ impl Sweep {
         if interrupt::requested() {
             return rows;
         }
-        let (content, known_as) = (self.content(), contestant.program().map(|program| program.name));
-        let key = |place: &Place| ("sweep", content, place.values.clone(), contestant.card.name, &known_as);
+        let (content, known_as) = (self.content(), contestant.identity());
+        let key = |place: &Place| ("sweep", content, place.values.clone(), &known_as);
         for place in places {
             match (place.refusal(contestant), &place.scene, journal::known(journal, &key(place))) {
                 (None, Ok((scene, plan)), None) => asked.push(Asked { place, scene, plan: *plan }),

@@ -1,14 +1,14 @@
-//! What is wrong with a scene file, one thing at a time: where, what, and a text that mends it.
+//! What is wrong with a file of the user, one thing at a time: where, what, and a text that mends it.
 
 use std::fmt;
 use std::ops::Range;
 
-/// One thing that is wrong with a scene file.
+/// One thing that is wrong with a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fault {
     /// Line, from 1.
     pub line: usize,
-    /// Full key, as in `forces[1].stiffness`; empty where the text is not TOML.
+    /// Full key, as in `forces[1].stiffness`; empty where the text has none there.
     pub key: String,
     /// What is wrong.
     pub message: String,
@@ -30,23 +30,41 @@ pub struct Mend {
 }
 
 impl Fault {
+    /// At some bytes of a text, without advice.
+    pub(crate) fn at(text: &str, span: Range<usize>, key: &str, message: impl Into<String>) -> Fault {
+        let before = &text.as_bytes()[..span.start.min(text.len())];
+        Fault {
+            line: 1 + before.iter().filter(|byte| **byte == b'\n').count(),
+            key: key.to_owned(),
+            message: message.into(),
+            advice: String::new(),
+            span,
+            mend: None,
+        }
+    }
+
     /// The same with what to do about it.
-    pub(super) fn advised(mut self, advice: impl Into<String>) -> Fault {
+    pub(crate) fn advised(mut self, advice: impl Into<String>) -> Fault {
         self.advice = advice.into();
         self
     }
 
     /// The same with a text that mends it.
-    pub(super) fn mended(mut self, mend: Option<Mend>) -> Fault {
+    pub(crate) fn mended(mut self, mend: Option<Mend>) -> Fault {
         self.mend = mend.map(Box::new);
         self
     }
 
     /// The same with a text in the place of what is marked.
-    pub(super) fn replaced(self, text: impl Into<String>) -> Fault {
+    pub(crate) fn replaced(self, text: impl Into<String>) -> Fault {
         let mend = Mend { span: self.span.clone(), text: text.into() };
         self.mended(Some(mend))
     }
+}
+
+/// A fault a line.
+pub(crate) fn lines(file: &str, faults: &[Fault]) -> String {
+    faults.iter().map(|fault| format!("{file}:{}: {fault}", fault.line)).collect::<Vec<_>>().join("\n")
 }
 
 /// `key: message: advice`.
