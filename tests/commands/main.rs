@@ -28,6 +28,7 @@ mod judge;
 mod killed;
 mod lists;
 mod log_formats;
+mod log_series;
 mod reference;
 mod runs;
 mod scene;

@@ -25,6 +25,7 @@ mod synthetic;
 mod equal_work;
 mod explained_logs;
 mod killed;
+mod long_inputs;
 mod million_radians;
 mod planted_defects;
 mod random_scenes;
