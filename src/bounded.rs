@@ -1,8 +1,11 @@
 //! Input files, read up to a bound: a device without an end is refused at once.
 
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::Path;
+use std::sync::mpsc;
+use std::thread;
+use std::time::Duration;
 
 /// Most bytes of a scene file, a mesh of 3e5 mass points, and of a robot description.
 pub const MOST_OF_A_SCENE: u64 = 64 << 20;
@@ -16,6 +19,8 @@ pub const MOST_OF_RECORDS: u64 = 4 << 30;
 pub const FIRST: u64 = 1 << 16;
 /// Why bytes are refused.
 pub const NO_TEXT: &str = "this is not text in UTF-8";
+/// How long a pipe may be without a writer.
+const PATIENCE: Duration = Duration::from_secs(10);
 
 /// Why a file was not read.
 #[derive(Debug)]
@@ -49,6 +54,32 @@ pub enum FileError {
     },
 }
 
+/// Opens a file to read it.
+///
+/// # Errors
+/// What the system says; [`io::ErrorKind::TimedOut`] where no program writes to a pipe within [`PATIENCE`].
+pub fn open(path: &Path) -> io::Result<File> {
+    if fs::metadata(path)?.is_file() {
+        return File::open(path);
+    }
+    let (sender, receiver) = mpsc::channel();
+    let path = path.to_owned();
+    // The system lets a reader of a pipe wait for its writer, and nothing else can end that.
+    thread::spawn(move || sender.send(File::open(path)));
+    receiver.recv_timeout(PATIENCE).unwrap_or_else(|_| {
+        let why = format!("no program writes to this pipe within {} s: start one", PATIENCE.as_secs());
+        Err(io::Error::new(io::ErrorKind::TimedOut, why))
+    })
+}
+
+/// Why the first bytes of a file are no text, where they are none.
+pub fn no_text(first: &[u8]) -> Option<String> {
+    if first.starts_with(&[0xff, 0xfe]) || first.starts_with(&[0xfe, 0xff]) {
+        return Some("this is text in UTF-16: save the file as UTF-8".to_owned());
+    }
+    first.contains(&0).then(|| format!("{NO_TEXT}: it holds zero bytes"))
+}
+
 /// The text of a file.
 ///
 /// # Errors
@@ -72,11 +103,11 @@ pub fn text(path: &Path, most: u64) -> Result<String, FileError> {
 /// # Errors
 /// [`Unread`]: it cannot be read, holds more than `most` bytes, or holds a zero byte in its first 64 KiB, which no text does.
 fn read(path: &Path, most: u64) -> Result<Vec<u8>, Unread> {
-    let mut file = File::open(path).map_err(Unread::System)?;
+    let mut file = open(path).map_err(Unread::System)?;
     let mut bytes = Vec::new();
     file.by_ref().take(FIRST.min(most)).read_to_end(&mut bytes).map_err(Unread::System)?;
-    if bytes.contains(&0) {
-        return Err(Unread::Content(format!("{NO_TEXT}: it holds zero bytes")));
+    if let Some(why) = no_text(&bytes) {
+        return Err(Unread::Content(why));
     }
     let rest = most + 1 - bytes.len() as u64;
     file.take(rest).read_to_end(&mut bytes).map_err(Unread::System)?;
@@ -99,6 +130,8 @@ mod tests {
         assert!(matches!(read(&path, 7), Err(Unread::Content(why)) if why.contains("larger")));
         std::fs::write(&path, "12\u{0}45678").expect("written");
         assert!(matches!(read(&path, 8), Err(Unread::Content(why)) if why.contains("zero")));
+        std::fs::write(&path, b"\xff\xfet\0,\0").expect("written");
+        assert!(matches!(read(&path, 8), Err(Unread::Content(why)) if why.contains("UTF-16")));
         assert!(matches!(read(&folder.path().join("none"), 8), Err(Unread::System(_))));
         std::fs::write(&path, b"1\n2\n\xff").expect("written");
         assert!(matches!(text(&path, 8), Err(FileError::Content { line: 3, .. })));

@@ -19,8 +19,17 @@ use crate::study::cause;
 #[cfg(feature = "cli")]
 use crate::study::stability::{self, Bench};
 
-/// Scenes of three moments, products of inertia and a spin off every axis, without torque and with it: an order is exactly the claimed one here.
-const GENERIC: [&str; 3] = ["free-asymmetric", "heavy-asymmetric-top", "tether-springs"];
+/// Scenes of three moments and a spin off every axis, without torque and with one of each kind: an order is exactly the claimed one here.
+const GENERIC: [&str; 8] = [
+    "free-asymmetric",
+    "heavy-asymmetric-top",
+    "tether-springs",
+    "gyrostat",
+    "damped-tumble",
+    "magnetic-satellite",
+    "satellite-circular-orbit",
+    "thruster-pulse",
+];
 /// States of a series.
 const SERIES_SAMPLES: u64 = 128;
 /// Steps of the run that is drawn against time, at least.

@@ -47,6 +47,8 @@ pub(super) struct Meaning {
     pub unit: Option<f64>,
     /// Whether it says that an angular velocity is in body axes.
     pub in_body_axes: bool,
+    /// Whether the last number of a quaternion is its scalar, wherever the numbers count from: the names of 42.
+    pub scalar_last: bool,
 }
 
 const TIMES: [&str; 10] =
@@ -101,9 +103,10 @@ const POSITIONS: [&str; 15] = [
     "rn",
     "coordinate",
 ];
-pub(super) const QUATERNIONS: [&str; 13] = [
+pub(super) const QUATERNIONS: [&str; 14] = [
     "q",
     "quat",
+    "framequat",
     "quaternion",
     "orientation",
     "rot",
@@ -137,7 +140,7 @@ pub(super) fn meaning(name: &str) -> Option<Meaning> {
     let unit = factor(kind, &units);
     let from_sensor = has(&["rs", "bn", "body", "gyro", "wbn", "imu", "rates", "b"]);
     let in_body_axes = kind == Kind::Qvel || kind == Kind::Spin && from_sensor;
-    Some(Meaning { kind, component, unit, in_body_axes })
+    Some(Meaning { kind, component, unit, in_body_axes, scalar_last: has(&["qbn", "qn"]) })
 }
 
 /// The quantity of a stem with a component.

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::layout::{self, FIELDS, Reading, Separator, number};
 use super::row::{COLUMNS, Log, Marks, Parts, Row};
 use super::said::Said;
-use super::source::{CHUNK, Source};
+use super::source::{CHUNK, MOST_OF_A_LINE, Source};
 use super::units::Units;
 use crate::bounded::{FileError, NO_TEXT};
 
@@ -58,6 +58,10 @@ impl Table<'_> {
             let why = format!("the line has more than {MOST_OF_A_HEADER} bytes, which no header has");
             return Err(refuse(head.lines_before + 1, why));
         }
+        if head.line.trim_end().contains('\r') {
+            let why = "lines end with a carriage return alone: end them with a line feed";
+            return Err(refuse(head.lines_before + 1, why.to_owned()));
+        }
         let reading = Reading::find(head.comment, head.line, said.columns.as_ref());
         let mut reading = reading.map_err(|why| refuse(head.lines_before + 1, why))?;
         let (rest, lines_before) =
@@ -83,11 +87,24 @@ impl Table<'_> {
     }
 
     /// Hands over all rows as the file has them, some at a time, until `take` says that it has enough; returns what is to be said.
-    pub fn rows(&self, take: &mut dyn FnMut(Vec<Row>) -> bool) -> Result<Vec<String>, FileError> {
+    /// Rows are taken while the next ones are read.
+    pub fn rows(&self, take: &mut (dyn FnMut(Vec<Row>) -> bool + Send)) -> Result<Vec<String>, FileError> {
         let (mut before, mut refused, mut notes) = (self.lines_before, None, Vec::new());
+        let mut rows = Vec::new();
         let lines = &mut |bytes: &[u8]| {
-            let mut rows = Vec::new();
-            let pieces: Vec<Piece> = pieces(bytes).into_par_iter().map(|piece| self.piece(piece)).collect();
+            if bytes.len() > MOST_OF_A_LINE && !bytes.ends_with(b"\n") {
+                let why = format!("the line has more than {} MiB, which no row has", MOST_OF_A_LINE >> 20);
+                refused = Some(self.refuse(before + 1, why));
+                return false;
+            }
+            let read = || pieces(bytes).into_par_iter().map(|piece| self.piece(piece)).collect();
+            let earlier = std::mem::take(&mut rows);
+            let (pieces, more): (Vec<Piece>, bool) =
+                rayon::join(read, || earlier.is_empty() || take(earlier));
+            if !more {
+                return false;
+            }
+            rows.reserve(pieces.iter().map(|piece| piece.rows.len()).sum());
             for mut piece in pieces {
                 match piece.issue {
                     Some((line, Issue::Short)) if piece.cut && line == piece.lines => {
@@ -103,10 +120,16 @@ impl Table<'_> {
                 rows.append(&mut piece.rows);
                 before += piece.lines;
             }
-            take(rows)
+            true
         };
         self.source.lines(self.from, lines).map_err(|source| self.unreadable(source))?;
-        refused.map_or(Ok(notes), Err)
+        if let Some(refused) = refused {
+            return Err(refused);
+        }
+        if !rows.is_empty() {
+            take(rows);
+        }
+        Ok(notes)
     }
 
     /// The rows in the first bytes of the file and in the last, as far as they are rows.
@@ -200,7 +223,7 @@ impl Head<'_> {
 }
 
 fn is_comment(line: &str) -> bool {
-    line.starts_with(['#', '%']) || line.starts_with("//")
+    matches!(line.as_bytes(), [b'#' | b'%', ..] | [b'/', b'/', ..])
 }
 
 /// Whether a comment is a header between commas, as EuRoC and ROS write it.
@@ -262,14 +285,19 @@ fn pieces(mut bytes: &[u8]) -> Vec<&[u8]> {
 
 fn read_piece(bytes: &[u8], reading: &Reading) -> Piece {
     let mut piece = Piece { cut: !bytes.ends_with(b"\n"), ..Piece::default() };
-    let text = bytes.utf8_chunks().next().map_or("", |chunk| chunk.valid());
+    let valid = |_| bytes.utf8_chunks().next().map_or("", |chunk| chunk.valid());
+    let text = std::str::from_utf8(bytes).unwrap_or_else(valid);
+    // A row has a digit and a sign for each column at least.
+    let shortest = text.lines().next().map_or(0, str::len).max(2 * reading.slots.len());
+    piece.rows.reserve(text.len() / shortest.max(1) + 1);
     for line in text.lines() {
         piece.lines += 1;
-        if line.trim().is_empty() || is_comment(line.trim_start()) {
+        let bare = line.trim_start();
+        if bare.is_empty() || is_comment(bare) {
             continue;
         }
         let row = match reading.separator {
-            Separator::Sign(sign) => row(line.split(char::from(sign)), reading),
+            Separator::Sign(sign) => row(cells(line, sign), reading),
             Separator::Blanks => row(line.split_ascii_whitespace(), reading),
         };
         match row {
@@ -287,6 +315,17 @@ fn read_piece(bytes: &[u8], reading: &Reading) -> Piece {
         piece.issue = Some((line, Issue::NoText));
     }
     piece
+}
+
+/// What stands between signs.
+fn cells(line: &str, sign: u8) -> impl Iterator<Item = &str> {
+    let mut rest = Some(line);
+    std::iter::from_fn(move || {
+        let text = rest?;
+        let end = text.bytes().position(|byte| byte == sign);
+        rest = end.map(|end| &text[end + 1..]);
+        Some(end.map_or(text, |end| &text[..end]))
+    })
 }
 
 /// A line as numbers. Angles and Rodrigues parameters stand in the place of the quaternion.

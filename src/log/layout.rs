@@ -2,6 +2,7 @@
 
 use super::columns;
 use super::euler::Sequence;
+use super::headless;
 use super::recognise;
 use super::row::{COLUMNS, Part, Parts};
 use super::said::{Columns, NO_FIELD};
@@ -22,8 +23,6 @@ const SHOWN: usize = 40;
 const MOST_COLUMNS: usize = 4096;
 /// Names in messages.
 const MOST_SHOWN: usize = 40;
-/// How far from one the length of a quaternion may be in a file without header that is taken for TUM's format.
-const UNIT: f64 = 1e-2;
 
 /// What stands between two numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,6 +83,8 @@ pub(super) struct Reading {
     pub sequence: Option<Sequence>,
     /// In words.
     pub words: String,
+    /// Names of columns that are not read, the first of them.
+    unread: Vec<String>,
 }
 
 impl Reading {
@@ -118,7 +119,12 @@ impl Reading {
         let note = |part: Part| {
             format!("no column {}: what needs it is not applicable", COLUMNS[part.columns()].join(", "))
         };
-        missing.map(note).collect()
+        let mut notes: Vec<String> = missing.map(note).collect();
+        if !notes.is_empty() && !self.unread.is_empty() {
+            let unread = self.unread.join(", ");
+            notes.push(format!("columns that were not read: {unread}; --columns says what a column is"));
+        }
+        notes
     }
 
     /// What the first lines of a file say: the last comment before `line`, which is the first that is none.
@@ -141,17 +147,13 @@ impl Reading {
         let names: Vec<&str> = numbers.iter().map(String::as_str).collect();
         match asked {
             Some(_) => Reading::of_names(separator, &names, false, asked),
-            None if is_tum(separator, &cells) => {
-                let tum = "t,x,y,z,qx,qy,qz,qw".parse().ok();
+            None if headless::is_tum(separator, &cells) => {
+                let tum = headless::TUM.parse().ok();
                 let mut reading = Reading::of_names(separator, &names, false, tum.as_ref())?;
                 reading.words += ", the format of TUM, which has no header";
                 Ok(reading)
             }
-            None => Err(format!(
-                "there is no header, and {} columns; say what they are, as in {}",
-                cells.len(),
-                example_list(cells.len())
-            )),
+            None => Err(headless::refusal(separator, &cells)),
         }
     }
 
@@ -180,6 +182,7 @@ impl Reading {
             spin_in_body_axes: false,
             sequence: None,
             words: String::new(),
+            unread: Vec::new(),
         };
         reading.spin_in_body_axes = in_body_axes && reading.parts().has(Part::Spin);
         if !reading.has(0) {
@@ -192,6 +195,8 @@ impl Reading {
             reading.sequence = Some(Sequence::YAW_PITCH_ROLL);
         }
         reading.words = reading.in_words(names);
+        let unread = reading.free(names).map(|place| shown(names[place])).filter(|name| !name.is_empty());
+        reading.unread = unread.take(MOST_SHOWN).collect();
         Ok(reading)
     }
 
@@ -211,24 +216,39 @@ impl Reading {
         format!("columns between {}: {}", self.separator.word(), columns.join(", "))
     }
 
-    /// The columns that there are, and an option to say what they mean.
+    /// The columns that are not read.
+    fn free(&self, names: &[&str]) -> impl Iterator<Item = usize> {
+        (0..names.len()).filter(|place| self.slots.get(*place).is_none_or(Option::is_none))
+    }
+
+    /// The columns that there are, and an option that reads one quantity: the first that is found in part, else those in their order.
     fn line_to_paste(&self, names: &[&str]) -> String {
         let listed: Vec<String> = names.iter().take(MOST_SHOWN).map(|name| shown(name)).collect();
         let more = if names.len() > MOST_SHOWN { ", …" } else { "" };
-        let of = |field: usize| {
-            let column = self.slots.iter().position(|slot| slot.is_some_and(|slot| slot.field == field));
-            column.map(|column| format!("{}={}", FIELDS[field], shown(names[column])))
+        let known =
+            format!("the columns are {}{more}; expected are {}", listed.join(", "), COLUMNS.join(","));
+        let of =
+            |field: usize| self.slots.iter().position(|slot| slot.is_some_and(|slot| slot.field == field));
+        let begun = Part::ALL.into_iter().find(|part| part.columns().any(|field| of(field).is_some()));
+        let part = begun.unwrap_or(if names.len() > 4 { Part::Orientation } else { Part::Position });
+        let mut free = self.free(names);
+        let fields = std::iter::once(0).chain(part.columns());
+        let pair = |field| {
+            let column = of(field).or_else(|| free.next())?;
+            Some(format!("{}={}", FIELDS[field], to_paste(names, column)))
         };
-        let known: Vec<String> = (1..FIELDS.len()).filter_map(of).collect();
-        let time = of(0).unwrap_or_else(|| format!("t={}", listed.first().map_or("", String::as_str)));
-        let example = if known.is_empty() { vec!["qw=…,qx=…,qy=…,qz=…".to_owned()] } else { known };
-        format!(
-            "the columns are {}{more}; expected are {}; say which is which, as in --columns '{time},{}'",
-            listed.join(", "),
-            COLUMNS.join(","),
-            example.join(",")
-        )
+        match fields.map(pair).collect::<Option<Vec<String>>>() {
+            Some(pairs) => format!("{known}; say which is which, as in --columns '{}'", pairs.join(",")),
+            None => format!("{known}: there are too few for --columns to name a quantity"),
+        }
     }
+}
+
+/// A column as `--columns` finds it: its name, or its number where the name cannot stand there.
+fn to_paste(names: &[&str], column: usize) -> String {
+    let name = names[column];
+    let plain = !name.is_empty() && !name.contains([',', '=', '\'']) && shown(name) == name;
+    if plain && place_of(name, names) == Some(column) { name.to_owned() } else { (column + 1).to_string() }
 }
 
 /// Puts in what the user says.
@@ -268,6 +288,7 @@ fn place_of(column: &str, names: &[&str]) -> Option<usize> {
 
 /// Of two columns for one field the one that bears its very name is meant.
 fn one_of_each(names: &[&str], slots: &mut [Option<Slot>]) -> Result<(), String> {
+    let mut twice = Vec::new();
     for (field, own) in FIELDS.iter().enumerate() {
         let is = |slot: &Option<Slot>| slot.is_some_and(|slot| slot.field == field);
         let places: Vec<usize> = (0..slots.len()).filter(|index| is(&slots[*index])).collect();
@@ -277,38 +298,18 @@ fn one_of_each(names: &[&str], slots: &mut [Option<Slot>]) -> Result<(), String>
         let exact: Vec<usize> = places.iter().copied().filter(|place| names[*place] == *own).collect();
         match exact[..] {
             [one] => places.into_iter().filter(|place| *place != one).for_each(|place| slots[place] = None),
-            _ => {
-                let (first, second) = (shown(names[places[0]]), shown(names[places[1]]));
-                return Err(format!(
-                    "the column {own} stands twice, as {first} and as {second}; say which is meant: --columns '{own}={first}'"
-                ));
-            }
+            _ => twice.push((*own, places[0], places[1])),
         }
     }
-    Ok(())
-}
-
-/// Eight numbers between blanks, the last four of unit length.
-fn is_tum(separator: Separator, cells: &[&str]) -> bool {
-    let numbers: Vec<f64> = cells.iter().filter_map(|cell| number(cell, separator)).collect();
-    let length = |q: &[f64]| q.iter().map(|x| x * x).sum::<f64>().sqrt();
-    separator == Separator::Blanks
-        && numbers.len() == 8
-        && cells.len() == 8
-        && (length(&numbers[4..]) - 1.0).abs() < UNIT
-}
-
-fn example_list(count: usize) -> String {
-    let list = match count {
-        8 => "t,x,y,z,qx,qy,qz,qw".to_owned(),
-        5 => "t,qw,qx,qy,qz".to_owned(),
-        _ => {
-            let rest = count.saturating_sub(COLUMNS.len()).min(MOST_SHOWN);
-            let known = COLUMNS.iter().take(count).copied();
-            known.chain(std::iter::repeat_n("-", rest)).collect::<Vec<_>>().join(",")
-        }
-    };
-    format!("--columns {list}")
+    let Some((own, first, second)) = twice.first() else { return Ok(()) };
+    let pairs: Vec<String> =
+        twice.iter().map(|(own, first, _)| format!("{own}={}", to_paste(names, *first))).collect();
+    Err(format!(
+        "the column {own} stands twice, as {} and as {}; say which is meant, as in --columns '{}'",
+        shown(names[*first]),
+        shown(names[*second]),
+        pairs.join(",")
+    ))
 }
 
 /// A cell as a number; between semicolons and tabs a comma may be the decimal point.
@@ -329,7 +330,8 @@ pub(super) fn number(cell: &str, separator: Separator) -> Option<f64> {
 
 /// A name as messages show it.
 pub(super) fn shown(name: &str) -> String {
-    let mut letters = name.chars();
+    let visible = |letter: char| if letter.is_control() { char::REPLACEMENT_CHARACTER } else { letter };
+    let mut letters = name.chars().map(visible);
     let head: String = letters.by_ref().take(SHOWN).collect();
     if letters.next().is_some() { head + "…" } else { head }
 }

@@ -193,18 +193,20 @@ struct Whole {
 }
 
 impl Whole {
-    fn of(
-        parts: Parts,
-        grid: &[Snapshot],
-        rows: &[Row],
-        (states, truth): (&[Snapshot], &[Snapshot]),
-    ) -> Whole {
-        let has = |index: &usize| parts != Parts::default() && rows[*index].parts.covers(parts);
-        let whole: Vec<usize> = (0..rows.len()).filter(has).collect();
-        let pick =
-            |of: &[Snapshot]| grid.iter().copied().chain(whole.iter().map(|index| of[*index])).collect();
-        let reference = Reference { states: pick(truth), ..Reference::default() };
-        Whole { parts, states: pick(states), reference, last: whole.last().copied() }
+    fn of(parts: Parts, states: Vec<Snapshot>, truth: Vec<Snapshot>, last: Option<usize>) -> Whole {
+        let reference = Reference { states: truth, ..Reference::default() };
+        Whole { parts, states, reference, last }
+    }
+
+    /// Those of a whole piece, of whose states the first `samples` are no rows.
+    fn picked(parts: Parts, rows: &[Row], piece: &Whole, samples: usize) -> Whole {
+        let kept: Vec<usize> = (0..rows.len()).filter(|index| rows[*index].parts.covers(parts)).collect();
+        let pick = |of: &[Snapshot]| {
+            let (grid, of) = of.split_at(samples);
+            grid.iter().copied().chain(kept.iter().map(|index| of[*index])).collect()
+        };
+        let (states, truth) = (pick(&piece.states), pick(&piece.reference.states));
+        Whole::of(parts, states, truth, kept.last().copied())
     }
 }
 
@@ -222,11 +224,12 @@ impl Reader<'_> {
 
     fn readings(&self, track: &Track, grid: &[Snapshot], rows: &[Row], from: usize) -> Readings {
         let mut readings = Readings::none();
-        let truth: Vec<Snapshot> =
-            rows.iter().enumerate().map(|(index, row)| track.at(from + index, row.time())).collect();
-        let states: Vec<Snapshot> =
-            rows.iter().zip(&truth).map(|(row, truth)| self.snapshot(row, Some(truth))).collect();
-        for (index, (row, (state, truth))) in rows.iter().zip(states.iter().zip(&truth)).enumerate() {
+        let samples = grid.len();
+        let (mut truth, mut states) = (grid.to_vec(), grid.to_vec());
+        truth.extend(rows.iter().enumerate().map(|(index, row)| track.at(from + index, row.time())));
+        states.extend(rows.iter().zip(&truth[samples..]).map(|(row, truth)| self.snapshot(row, Some(truth))));
+        let pairs = states[samples..].iter().zip(&truth[samples..]);
+        for (index, (row, (state, truth))) in rows.iter().zip(pairs).enumerate() {
             for (quantity, apart) in difference(&self.system.body, state, truth) {
                 if row.parts.covers(parts_of(quantity)) {
                     readings.errors[quantity].push(apart, row.time(), from + index);
@@ -237,16 +240,22 @@ impl Reader<'_> {
                 readings.unit = readings.unit.max((squared.sqrt() - 1.0).abs());
             }
         }
-        let mut whole = Whole::of(Parts::default(), grid, rows, (&states, &truth));
+        // Parts that all rows have: what needs no more is read without a copy.
+        let common = rows.iter().fold(Parts::of(&Part::ALL), |common, row| common.common(row.parts));
+        let piece = Whole::of(common, states, truth, rows.len().checked_sub(1));
+        let mut picked = None;
         for (metric, extreme) in metrics().zip(&mut readings.metrics) {
             let needed = self.parts_of_metric(metric);
-            if whole.parts != needed {
-                whole = Whole::of(needed, grid, rows, (&states, &truth));
-            }
+            let whole = if common.covers(needed) {
+                &piece
+            } else {
+                let made = picked.take().filter(|whole: &Whole| whole.parts == needed);
+                picked.insert(made.unwrap_or_else(|| Whole::picked(needed, rows, &piece, samples)))
+            };
             let sight = Sight { system: self.system, reference: &whole.reference, states: &whole.states };
             if let (Some(last), Some(reading)) = (whole.last, metric.measure(&sight)) {
                 // A metric does not say where its largest is.
-                let (max, end, rows) = (reading.max, reading.end, whole.states.len() - grid.len());
+                let (max, end, rows) = (reading.max, reading.end, whole.states.len() - samples);
                 extreme.join(&Extreme { max, at: f64::NAN, end, last: from + last, rows });
             }
         }

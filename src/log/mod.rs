@@ -8,6 +8,7 @@ mod euler;
 mod explain;
 mod file;
 mod frames;
+mod headless;
 mod layout;
 mod measure;
 mod recognise;
@@ -153,7 +154,7 @@ fn judge_log(mut log: Log, scene: &Scene, request: &Request) -> Result<Judgement
         start_at(&mut scene, &mut log, row, declared)?;
     }
     log.counted();
-    let track = track(&scene, &log);
+    let (track, wide) = rayon::join(|| track(&scene, &log), || wide(&scene, log.span.1));
     let measured = |log: &Log, declared, notes: &mut Vec<String>| {
         let mut meter = Meter::new(Reader { system: &scene.system, declared }, track.as_ref());
         meter.take(&log.rows);
@@ -176,7 +177,7 @@ fn judge_log(mut log: Log, scene: &Scene, request: &Request) -> Result<Judgement
         Ok(track) if request.series => series::series(&log, &reader, track),
         _ => Series::default(),
     };
-    let judgement = concluded(&log, &reader, (&track, scene.duration), (findings, frames));
+    let judgement = concluded(&log, &reader, (&track, wide.as_ref()), (findings, frames));
     Ok(Judgement { series, notes, ..judgement })
 }
 
@@ -193,7 +194,7 @@ fn declared(reading: &Reading, request: &Request, notes: &mut Vec<String>) -> Co
 fn concluded(
     log: &Log,
     reader: &Reader,
-    (track, duration): (&Result<Track, String>, f64),
+    (track, wide): (&Result<Track, String>, Option<&Track>),
     (findings, frames): (Vec<Finding>, FrameCheck),
 ) -> Judgement {
     Judgement {
@@ -206,20 +207,15 @@ fn concluded(
         declared: reader.declared,
         frames,
         series: Series::default(),
-        explanations: explanations(log, reader, duration),
+        explanations: wide.map(|wide| explain::explain(log, *reader, wide)).unwrap_or_default(),
         notes: Vec::new(),
     }
 }
 
-/// What explains the log, where anything needs to be explained.
-fn explanations(log: &Log, reader: &Reader, duration: f64) -> Vec<Explanation> {
-    let last = log.span.1;
-    // A log that starts late, or in another unit of time, is looked for within twice its length or the scene's.
-    let last = if last > LONGEST * duration { duration } else { last.max(duration) };
-    match Track::dense(reader.system, 2.0 * last) {
-        Ok(track) => explain::explain(log, *reader, &track),
-        Err(_) => Vec::new(),
-    }
+/// The reference in which a log is looked for that starts late, or is in another unit of time: twice as long as the log or the scene.
+fn wide(scene: &Scene, last: f64) -> Option<Track> {
+    let last = if last > LONGEST * scene.duration { scene.duration } else { last.max(scene.duration) };
+    Track::dense(&scene.system, 2.0 * last).ok()
 }
 
 fn leave_early_out(log: &mut Log) -> Result<(), String> {

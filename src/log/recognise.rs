@@ -67,11 +67,13 @@ fn field(meaning: &Meaning, all: &[Option<Meaning>]) -> Option<usize> {
         (Kind::Quaternion, Component::Scalar) => Some(4),
         (Kind::Quaternion, Component::Axis(axis)) => Some(5 + axis),
         // q1 … q4 have the scalar last, q0 … q3 first.
-        (Kind::Quaternion, Component::Digit(digit)) if base == 1 => match digit {
-            1..=3 => Some(4 + digit),
-            4 => Some(4),
-            _ => None,
-        },
+        (Kind::Quaternion, Component::Digit(digit)) if base == 1 || meaning.scalar_last => {
+            match digit.checked_sub(base)? {
+                axis @ 0..3 => Some(5 + axis),
+                3 => Some(4),
+                _ => None,
+            }
+        }
         (Kind::Quaternion, Component::Digit(digit)) => (digit < 4).then_some(4 + digit),
         (Kind::Quaternion, Component::Only) => None,
         (Kind::Qpos, _) => from_base(digits_of(meaning)?).filter(|k| *k < 7).map(|k| 1 + k),

@@ -65,6 +65,11 @@ impl Parts {
         self.0 & needed.0 == needed.0
     }
 
+    /// What both have.
+    pub fn common(self, other: Parts) -> Parts {
+        Parts(self.0 & other.0)
+    }
+
     pub fn without(self, part: Part) -> Parts {
         Parts(self.0 & !part.bit())
     }

@@ -7,12 +7,12 @@ use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 
-use crate::bounded::{FIRST, FileError, MOST_OF_A_LOG, NO_TEXT};
+use crate::bounded::{self, FIRST, FileError, MOST_OF_A_LOG};
 
 /// Bytes that are read at a time.
 pub(super) const CHUNK: usize = 8 << 20;
-/// Most bytes of a line.
-const MOST_OF_A_LINE: usize = 64 << 20;
+/// Most bytes of a line: a row of four thousand columns has a hundredth of them.
+pub(super) const MOST_OF_A_LINE: usize = 16 << 20;
 
 /// What a log is read from.
 #[derive(Debug)]
@@ -30,12 +30,12 @@ impl Source<'_> {
         let name = path.display().to_string();
         let unreadable = |source| FileError::Unreadable { file: name.clone(), source };
         let refuse = |why: String| FileError::Content { file: name.clone(), line: 1, why };
-        let mut file = File::open(path).map_err(unreadable)?;
+        let mut file = bounded::open(path).map_err(unreadable)?;
         let about = file.metadata().map_err(unreadable)?;
         let mut first = Vec::new();
         Read::take(&file, FIRST).read_to_end(&mut first).map_err(unreadable)?;
-        if first.contains(&0) {
-            return Err(refuse(format!("{NO_TEXT}: it holds zero bytes")));
+        if let Some(why) = bounded::no_text(&first) {
+            return Err(refuse(why));
         }
         if about.is_file() {
             file.rewind().map_err(unreadable)?;
@@ -58,30 +58,39 @@ impl Source<'_> {
 
     /// So many bytes from a place on, or fewer at the end.
     pub fn some(&self, from: u64, most: usize) -> io::Result<Vec<u8>> {
+        let mut some = Vec::new();
+        self.append(from, most, &mut some)?;
+        Ok(some)
+    }
+
+    /// Appends them to a buffer, which grows by no more than the file has.
+    fn append(&self, from: u64, most: usize, buffer: &mut Vec<u8>) -> io::Result<()> {
         match self {
             Source::Bytes(bytes) => {
                 let from = usize::try_from(from).unwrap_or(usize::MAX).min(bytes.len());
-                Ok(bytes[from..bytes.len().min(from.saturating_add(most))].to_vec())
+                buffer.extend_from_slice(&bytes[from..bytes.len().min(from.saturating_add(most))]);
             }
-            Source::File { file, .. } => {
+            Source::File { file, length } => {
                 let mut file = file;
                 file.seek(SeekFrom::Start(from))?;
-                let mut some = Vec::new();
-                file.take(most as u64).read_to_end(&mut some)?;
-                Ok(some)
+                let left = length.saturating_sub(from);
+                buffer.reserve(usize::try_from(left).map_or(most, |left| left.min(most)));
+                file.take(most as u64).read_to_end(buffer)?;
             }
         }
+        Ok(())
     }
 
-    /// Hands over the lines from a place on, whole ones but for the last of the file, until `take` says that it has enough.
+    /// Hands over the lines from a place on, whole ones but for the last of the file and one that is longer than [`MOST_OF_A_LINE`], until
+    /// `take` says that it has enough.
     pub fn lines(&self, from: u64, take: &mut dyn FnMut(&[u8]) -> bool) -> io::Result<()> {
         let (mut at, mut buffer) = (from, Vec::new());
         loop {
             let had = buffer.len();
-            let more = self.some(at, CHUNK)?;
+            self.append(at, CHUNK, &mut buffer)?;
+            let more = &buffer[had..];
             at += more.len() as u64;
             let ended = more.is_empty();
-            buffer.extend_from_slice(&more);
             let end = match more.iter().rposition(|byte| *byte == b'\n') {
                 _ if ended || buffer.len() > MOST_OF_A_LINE => buffer.len(),
                 Some(place) => had + place + 1,

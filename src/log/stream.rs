@@ -11,7 +11,7 @@ use super::times::{self, Odd};
 use super::track::Track;
 use super::units::Units;
 use super::{
-    FileError, Finding, FrameCheck, Judgement, Request, concluded, declared, early, frames, too_late,
+    FileError, Finding, FrameCheck, Judgement, Request, concluded, declared, early, frames, too_late, wide,
 };
 use crate::scenes::Scene;
 
@@ -36,8 +36,11 @@ pub(super) fn judge(table: &Table, scene: &Scene, request: &Request) -> Result<O
     let Some(ahead) = Ahead::of(table, request)? else { return Ok(None) };
     let mut notes = Vec::new();
     let mut convention = declared(&table.reading, request, &mut notes);
-    let track = too_late(scene, ahead.last)
-        .and_then(|()| Track::dense(&scene.system, ahead.last).map_err(|error| error.to_string()));
+    let track = || {
+        too_late(scene, ahead.last)?;
+        Track::dense(&scene.system, ahead.last).map_err(|error| error.to_string())
+    };
+    let (track, wide) = rayon::join(track, || wide(scene, ahead.last));
     let read = |convention, notes: &mut Vec<String>| {
         let reader = Reader { system: &scene.system, declared: convention };
         let Some((log, findings)) = Pass::new(reader, &track, &ahead).over(table, notes)? else {
@@ -55,7 +58,7 @@ pub(super) fn judge(table: &Table, scene: &Scene, request: &Request) -> Result<O
     }
     let Some((log, findings, frames)) = read(convention, &mut notes)? else { return Ok(None) };
     let reader = Reader { system: &scene.system, declared: convention };
-    let judgement = concluded(&log, &reader, (&track, scene.duration), (findings, frames));
+    let judgement = concluded(&log, &reader, (&track, wide.as_ref()), (findings, frames));
     Ok(Some(Judgement { notes, ..judgement }))
 }
 

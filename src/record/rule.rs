@@ -62,7 +62,9 @@ impl Rule {
                 "Every error is as small as its rounding, so that there is no order to measure."
             }
             Rule::Elsewhere => "Successive runs converge to one another and not to the reference.",
-            Rule::Kink => "The error stays, and is another one in a run whose steps meet the kinks of a force elsewhere.",
+            Rule::Kink => {
+                "The error stays, and is another one in a run whose steps meet the kinks of a force elsewhere."
+            }
             Rule::Jump => "From one run to the next the error falls more than any order explains.",
             Rule::Odd => {
                 "A run of an odd number of steps has an error between those of the next coarser and the next finer run."

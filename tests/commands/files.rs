@@ -137,7 +137,11 @@ fn a_run_is_drawn_beside_its_states() {
     assert_eq!(code(&output), 0, "{}", stderr(&output));
     assert!(stdout(&output).lines().count() > 100);
     assert!(fs::read(&picture).expect("written").starts_with(b"\x89PNG"));
+    // A picture of this program is replaced, a file of another origin is kept.
+    assert_eq!(code(&polhode(&arguments)), 0);
+    fs::write(&picture, "another's").expect("written");
     assert_eq!(code(&polhode(&arguments)), 74);
+    assert_eq!(fs::read(&picture).expect("kept"), b"another's");
 }
 
 #[test]
@@ -190,6 +194,9 @@ fn an_input_without_an_end_is_65_at_once() {
         vec!["run", "/dev/zero", "--scheme", "euler", "--steps", "4"],
         vec!["gate", "--scene", "/dev/zero"],
         vec!["judge", "/dev/zero", "--scene", "free-rod"],
+        vec!["judge", "/dev/urandom", "--scene", "free-rod"],
+        vec!["inspect", "/dev/zero"],
+        vec!["inspect", "/dev/urandom"],
         vec!["gate", "--from", "/dev/zero"],
         vec!["gate", "--baseline", "/dev/zero"],
         vec!["sweep", "/dev/zero", "--vary", "step=1:2:2"],
@@ -198,5 +205,18 @@ fn an_input_without_an_end_is_65_at_once() {
         let output = polhode(&command);
         assert_eq!(code(&output), 65, "{command:?}: {}", stderr(&output));
         assert!(before.elapsed() < Duration::from_secs(1), "{command:?}: {:?}", before.elapsed());
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_pipe_that_no_program_writes_is_74() {
+    let folder = scratch();
+    let pipe = folder.path().join("pipe");
+    assert!(Command::new("mkfifo").arg(&pipe).status().expect("mkfifo runs").success());
+    let pipe = pipe.to_string_lossy();
+    for command in [&["judge", &pipe, "--scene", "free-rod"][..], &["inspect", &pipe]] {
+        let output = polhode(command);
+        assert_eq!(code(&output), 74, "{command:?}: {}", stderr(&output));
     }
 }

@@ -44,6 +44,8 @@ fn formats_of_many_programs_are_read() {
          a\t1564567273000\t0\t0\t0\t1\t0\t0\t0\ta.png\na\t1564567273500\t0\t0\t0\tCOS\t0\t0\tSIN\tb.png\n",
         // 42: the scalar is the fourth.
         "time qbn1 qbn2 qbn3 qbn4 wbn1 wbn2 wbn3\n0 0 0 0 1 0 0 1\n0.5 0 0 SIN COS 0 0 1\n",
+        "time,SC[0].B[0].qn[0],SC[0].B[0].qn[1],SC[0].B[0].qn[2],SC[0].B[0].qn[3],SC[0].B[0].wn[0],SC[0].B[0].wn[1],SC[0].B[0].wn[2]\n\
+         0,0,0,0,1,0,0,1\n0.5,0,0,SIN,COS,0,0,1\n",
         // Basilisk: tan(θ/4).
         "time_ns,sigma_BN[0],sigma_BN[1],sigma_BN[2],omega_BN_B[0],omega_BN_B[1],omega_BN_B[2]\n\
          0,0,0,0,0,0,1\n500000000,0,0,0.12565513657513097,0,0,1\n",
@@ -53,6 +55,8 @@ fn formats_of_many_programs_are_read() {
         // MuJoCo, with decimal commas.
         "time;qpos_0;qpos_1;qpos_2;qpos_3;qpos_4;qpos_5;qpos_6;qvel_0;qvel_1;qvel_2;qvel_3;qvel_4;qvel_5\n\
          0;0;0;0;1;0;0;0;0;0;0;0;0;1\n0,5;0;0;0;0,9689124217106447;0;0;0,24740395925452294;0;0;0;0;0;1\n",
+        // Its sensors, and lines that end as on Windows.
+        "time,framequat_0,framequat_1,framequat_2,framequat_3,gyro_0,gyro_1,gyro_2\r\n0,1,0,0,0,0,0,1\r\n0.5,COS,0,0,SIN,0,0,1\r\n",
         // Drake.
         "time,box_qw,box_qx,box_qy,box_qz,box_x,box_y,box_z,box_wx,box_wy,box_wz,box_vx,box_vy,box_vz\n\
          0,1,0,0,0,0,0,0,0,0,1,0,0,0\n0.5,COS,0,0,SIN,0,0,0,0,0,1,0,0,0\n",
@@ -104,6 +108,66 @@ fn columns_units_and_sequences_can_be_said() {
     for log in ["a,b\n1,2\n", "1,2,3\n4,5,6\n", "t,x_a,x_b\n1,2,3\n"] {
         let error = judge_text(log, &still(), &Request::default()).expect_err("no trajectory").to_string();
         assert!(error.contains("--columns"), "{error}");
+    }
+}
+
+/// The option that a refusal ends in reads the file.
+#[test]
+fn a_line_that_is_offered_works_when_it_is_pasted() {
+    let long = "n".repeat(60);
+    for log in [
+        // 42 writes no header.
+        "0 0 0 0 1 0 0 1\n0.5 0 0 SIN COS 0 0 1\n".to_owned(),
+        "0 0 0 0 1 0 0 0 0 0 0 0 0 1\n0.5 0 0 0 COS 0 0 SIN 0 0 0 0 0 1\n".to_owned(),
+        // A state of Drake without names.
+        "time,state[0],state[1],state[2],state[3],state[4]\n0,1,0,0,0,9\n0.5,COS,0,0,SIN,9\n".to_owned(),
+        // Two bodies.
+        "#timestamp [us],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z [],q_CS_w [],q_CS_x [],q_CS_y [],q_CS_z []\n\
+         0,1,0,0,0,0,1,0,0\n500000,COS,0,0,SIN,0,1,0,0\n"
+            .to_owned(),
+        format!("t,{long}1,{long}2,{long}3,{long}4\n0,1,0,0,0\n0.5,COS,0,0,SIN\n"),
+    ] {
+        let text = log.replace("COS", COSINE).replace("SIN", SINE);
+        let error = judge_text(&text, &still(), &Request::default()).expect_err("a refusal").to_string();
+        let (_, option) = error.rsplit_once("--columns ").expect("an option");
+        let judgement = judged_as(&log, &said(option.trim_matches('\'')));
+        assert!(passes(&judgement, Quantity::Orientation), "{error}\n{judgement:?}");
+    }
+}
+
+#[test]
+fn columns_that_are_not_read_are_listed_where_a_quantity_is_missing() {
+    let notes = |log: &str| judged(log).notes;
+    let unread = notes("t,attitude_a,wx,wy,wz\n0,1,0,0,1\n1,1,0,0,1\n");
+    assert!(unread.iter().any(|note| note.contains("attitude_a")), "{unread:?}");
+    let whole = notes(
+        "t,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz,other\n0,0,0,0,1,0,0,0,0,0,0,0,0,1,5\n0.5,0,0,0,COS,0,0,SIN,0,0,0,0,0,1,5\n",
+    );
+    assert!(!whole.iter().any(|note| note.contains("other")), "{whole:?}");
+}
+
+#[test]
+fn bytes_that_are_no_log_are_refused_in_visible_letters() {
+    let folder = scratch();
+    let path = folder.path().join("log.csv");
+    let log = "t,qw,qx,qy,qz\n0,1,0,0,0\n1,1,0,0,0\n";
+    let utf16: Vec<u8> = [0xfeff].into_iter().chain(log.encode_utf16()).flat_map(u16::to_le_bytes).collect();
+    // The first 64 KiB are looked at for zero bytes.
+    let late = format!("{}2,1,\0,0,0\n", log.to_owned() + &"2,1,0,0,0\n".repeat(10_000));
+    let long = format!("{log}2,1,0,0,0{}", ",0".repeat(9 << 20));
+    for (bytes, line) in [
+        (utf16, 1),
+        (log.replace('\n', "\r").into_bytes(), 1),
+        (log.replace("0,1,", "0,\u{1b}[31m,").into_bytes(), 2),
+        (late.into_bytes(), 10_004),
+        (long.into_bytes(), 4),
+    ] {
+        std::fs::write(&path, &bytes).expect("written");
+        let output = polhode(&["judge", &path.to_string_lossy(), "--scene", "free-rod"]);
+        let said = String::from_utf8(output.stderr.clone()).expect("text");
+        assert_eq!(code(&output), 65, "{said}");
+        assert!(said.contains(&format!("log.csv:{line}:")), "{said}");
+        assert!(said.len() < 1000 && !said.trim_end().contains(char::is_control), "{said:?}");
     }
 }
 

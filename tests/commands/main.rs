@@ -32,6 +32,7 @@ mod judge;
 mod killed;
 mod lists;
 mod log_formats;
+mod log_series;
 mod mutated;
 mod records_faults;
 mod reference;

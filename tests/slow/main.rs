@@ -28,6 +28,7 @@ mod synthetic;
 mod equal_work;
 mod explained_logs;
 mod killed;
+mod long_inputs;
 mod million_radians;
 mod mutated;
 mod planted_defects;

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use crate::record::{Records, SchemeRow};
 use crate::record::stability::{LimitStatus, Meaning, Stability};
+use crate::record::{Records, SchemeRow};
 use crate::report::plot::Subject;
 use crate::report::{number, survey};
 
