@@ -149,16 +149,20 @@ fn judge_convergence(evidence: &Evidence, quantity: Quantity, decision: &Decisio
 fn is_of_a_kink(evidence: &Evidence, quantity: Quantity) -> bool {
     let ladder = &evidence.ladder;
     let [.., coarser, finest] = &ladder.rungs[..] else { return false };
-    let between = ladder.odd.iter().find(|rung| coarser.steps < rung.steps && rung.steps < finest.steps);
-    let [of_odd, of_finest] = [between, Some(finest)]
-        .map(|rung| rung.map(|rung| rung.error(quantity, &ladder.arms)).unwrap_or_default());
-    let at_end = &of_finest[of_finest.len() - of_finest.len().min(of_odd.len())..];
-    let apart: Vec<f64> = of_odd.iter().zip(at_end).map(|(odd, finest)| odd - finest).collect();
-    evidence.setting.not_for_order.is_some() && length(&apart) > BELOW * length(at_end)
+    let at_end = finest.error(quantity, &ladder.arms);
+    let another = |odd: &Rung| {
+        let of_odd = odd.error(quantity, &ladder.arms);
+        let at_end = &at_end[at_end.len() - of_odd.len()..];
+        let apart: Vec<f64> = of_odd.iter().zip(at_end).map(|(odd, finest)| odd - finest).collect();
+        length(&apart) > BELOW * length(at_end)
+    };
+    let mut between = ladder.odd.iter().filter(|odd| coarser.steps < odd.steps && odd.steps < finest.steps);
+    evidence.setting.not_for_order.is_some() && between.any(another)
 }
 
 /// A fall of an error from one run to the next that the order does not explain: named above [`NAMED`], and a failure where the error vanishes
-/// into its rounding from more than the highest order makes of a halving. An error of the size of the motion falls as it likes.
+/// into its rounding from more than the highest order makes of a halving. An error of the size of the motion falls as it likes, and so does one
+/// of a kink, which a step that ends at it does not make.
 fn judge_jump(evidence: &Evidence, quantity: Quantity, decision: Option<&Decision>) -> Option<Verdict> {
     let order = if let Some(Decision::Order(found)) = decision { found.order } else { HIGHEST };
     let asked = Asked::of(&evidence.ladder, quantity);
@@ -176,7 +180,8 @@ fn judge_jump(evidence: &Evidence, quantity: Quantity, decision: Option<&Decisio
     };
     let falls = asked.runs.windows(2).filter_map(fall);
     let (vanishes, fall, step) = falls.max_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)))?;
-    let ruling = if vanishes { Ruling::Fail } else { Ruling::NotApplicable };
+    let smooth = evidence.setting.not_for_order.is_none();
+    let ruling = if vanishes && smooth { Ruling::Fail } else { Ruling::NotApplicable };
     let over = if order == HIGHEST { "the highest order".to_owned() } else { format!("order {order}") };
     let detail = format!(
         "from h = {step:.2e} s to the next run the error falls {fall:.0} times as much as {over} explains"

@@ -111,8 +111,10 @@ impl<'a> Precise<'a> {
         }
         let part = self.truth.intervals() / self.samples[0] as u64;
         let first = (coarsest / part).max(FEWEST_STEPS);
-        let giant = GIANT_STEPS.into_iter().filter(|_| system.steady_spin());
         let time = self.truth.time(self.samples[0]);
+        // A run covers h n in f64, which is not the time where the quotient was rounded.
+        let ends = |steps: &u64| time / *steps as f64 * *steps as f64 == time;
+        let giant = GIANT_STEPS.into_iter().filter(|steps| system.steady_spin() && ends(steps));
         let mut ladder = self.ladder(own, vec![time]);
         ladder.uncertainty = self.truth.moment(self.samples[0])?.error;
         for steps in giant.chain((0..EXACT_RUNGS).map(|halvings| first << halvings)) {
