@@ -85,10 +85,9 @@ pub fn climb_within(
     let mut odd = odd_steps(contestant, system, &climbed);
     // A step across a jump of the laws says nothing of a scheme.
     odd.retain(|steps| ends_at_jumps(system, reference, *steps));
-    // Where an error stays, a run whose steps meet a kink elsewhere shows whether it is that of the kink.
-    odd.extend(
-        lasting(&climbed.ladder).filter(|_| order.is_none() && !contestant.chooses_steps()).map(between),
-    );
+    // Where an error stays, runs whose steps meet a kink elsewhere show whether it is that of the kink.
+    let lasting = lasting(&climbed.ladder).filter(|_| order.is_none() && !contestant.chooses_steps());
+    odd.extend(lasting.into_iter().flat_map(between));
     climbed.ladder.odd = odd.into_iter().map(|steps| truth.odd(contestant, steps)).collect();
     if let Some(precise) = precise {
         climbed.precise = precise.climb(&climbed.ladder, steps, order.unwrap_or_default());
