@@ -10,7 +10,7 @@ use differential_equations::status::Status;
 
 use super::SolverError;
 use super::equations::{Equations, State};
-use super::run::{self, MOST_EVALUATIONS, Run, Solver};
+use super::run::{self, Run, Solver};
 use crate::model::System;
 
 /// Relative and absolute tolerance, in units of the scene, at which the method is at its best.
@@ -64,9 +64,7 @@ impl Solver for Dop853<'_> {
                 method.set_h(left);
             }
             method.step(self.equations).map_err(problem)?;
-            if self.equations.evaluations() > MOST_EVALUATIONS {
-                return Err(format!("more than {MOST_EVALUATIONS} evaluations"));
-            }
+            run::may_go_on(self.equations)?;
             if last && !matches!(method.status(), Status::RejectedStep) {
                 self.step = method.h().max(wanted);
                 self.stepped = true;

@@ -2,6 +2,7 @@
 
 use super::SolverError;
 use super::equations::{DIMENSION, Equations, State};
+use crate::interrupt;
 use crate::model::{Snapshot, System};
 
 /// Evaluations of the equations after which a solver gives up.
@@ -28,10 +29,22 @@ pub trait Solver {
     fn advance(&mut self, stretch: f64) -> Result<State, String>;
 }
 
+/// Whether a solver may go on.
+///
+/// # Errors
+/// Too many evaluations, or the user asks for the end.
+pub fn may_go_on(equations: &Equations) -> Result<(), String> {
+    if interrupt::requested() {
+        return Err(SolverError::Interrupted.to_string());
+    }
+    let within = equations.evaluations() <= MOST_EVALUATIONS;
+    within.then_some(()).ok_or_else(|| format!("more than {MOST_EVALUATIONS} evaluations"))
+}
+
 /// Takes a solver from output to output. Each stretch ends on a step of the solver: nothing is interpolated.
 ///
 /// # Errors
-/// [`SolverError::Times`], [`SolverError::NotFinite`] and [`SolverError::NoConvergence`].
+/// [`SolverError::Times`], [`SolverError::NotFinite`], [`SolverError::NoConvergence`] and [`SolverError::Interrupted`].
 pub fn along<S: Solver>(equations: &Equations, times: &[f64], solver: &mut S) -> Result<Run, SolverError> {
     let mut states = Vec::with_capacity(times.len());
     let (mut state, mut reached) = (equations.start(), 0.0);
@@ -41,6 +54,9 @@ pub fn along<S: Solver>(equations: &Equations, times: &[f64], solver: &mut S) ->
             let end = equations.enter(reached).map_or(*time, |jump| jump.min(*time));
             equations.set_clock(reached);
             state = solver.advance((end - reached) / equations.units().time).map_err(|reason| {
+                if interrupt::requested() {
+                    return SolverError::Interrupted;
+                }
                 let evaluations = equations.evaluations();
                 SolverError::NoConvergence { method: S::NAME, time: reached, evaluations, reason }
             })?;

@@ -7,7 +7,7 @@ use diffsol::{DiffsolError, OdeBuilder, OdeEquations, OdeSolverMethod, OdeSolver
 
 use super::SolverError;
 use super::equations::{DIMENSION, Equations, State};
-use super::run::{self, MOST_EVALUATIONS, Run, Solver};
+use super::run::{self, Run, Solver};
 use crate::model::System;
 
 /// Relative and absolute tolerance, in units of the scene, at which the method is at its best.
@@ -66,9 +66,7 @@ where
         let (mut longest, mut before) = (0.0f64, 0.0);
         loop {
             let reason = self.method.step().map_err(problem)?;
-            if self.equations.evaluations() > MOST_EVALUATIONS {
-                return Err(format!("more than {MOST_EVALUATIONS} evaluations"));
-            }
+            run::may_go_on(self.equations)?;
             let reached = self.method.state().t;
             if matches!(reason, OdeSolverStopReason::TstopReached) {
                 break;

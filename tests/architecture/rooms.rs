@@ -44,7 +44,7 @@ const EDGES: &[(&str, &[&str])] = &[
     ("rotation", &["arithmetic"]),
     ("record", &["bounded", "claim", "fault", "quantity", "words"]),
     ("model", &["arithmetic", "quantity", "rotation"]),
-    ("ode", &["model", "rotation"]),
+    ("ode", &["interrupt", "model", "rotation"]),
     ("schemes", &["arithmetic", "claim", "interrupt", "model", "ode", "rotation"]),
     ("reference", &["interrupt", "model", "ode", "rotation"]),
     ("scenes", &["bounded", "fault", "model", "rotation"]),

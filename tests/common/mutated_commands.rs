@@ -135,8 +135,8 @@ const VALUES: [&str; 34] = [
     "--",
     "=",
     "a=b",
-    "/no/such/file",
-    "/no/such/folder/x.json",
+    "no/such/file",
+    "no/such/folder/x.json",
     ".",
     "/dev/null",
     "/dev/zero",
@@ -281,11 +281,11 @@ fn line(chance: &mut Chance) -> Vec<String> {
     let shared: Vec<&str> = EVERYWHERE.split(' ').collect();
     let mut line = words(command);
     for _ in 0..1 + chance.below(3) {
-        let list = if chance.below(4) > 0 { &own } else { &shared };
+        let list = if chance.below(8) > 0 { &own } else { &shared };
         let (name, values) = split(list[chance.below(list.len())]);
         let wrong = VALUES[chance.below(VALUES.len())].to_owned();
         let right = values.map(|values| values[chance.below(values.len())].to_owned());
-        let given = match chance.below(10) {
+        let given = match chance.below(16) {
             0 => vec![name],
             1 | 2 => vec![format!("{name}={wrong}")],
             3 => vec![name, wrong],

@@ -9,6 +9,7 @@ mod keys;
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::ops::Range;
+use std::sync::Arc;
 
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -77,10 +78,13 @@ struct Place {
     /// In the grid.
     index: usize,
     values: Vec<f64>,
-    scene: Result<(Scene, Plan), String>,
+    scene: Result<(Arc<Scene>, Plan), String>,
     /// The state at the end of the run, of the reference.
     truth: Option<Snapshot>,
 }
+
+/// A scene, or why there is none, and the state at the end of its motion.
+type Solved = (Result<Arc<Scene>, String>, Option<Snapshot>);
 
 impl Place {
     /// Why a scheme does not run there.
@@ -143,13 +147,13 @@ impl Sweep {
     fn places(&self, scenes: Range<usize>) -> Vec<Place> {
         let first = scenes.start;
         // One reference a scene: places that differ in the step alone share it.
-        let solved: Vec<(Result<Scene, String>, Option<Snapshot>)> = scenes
+        let solved: Vec<Solved> = scenes
             .clone()
             .into_par_iter()
             .map(|index| {
                 let scene = self.scene(&self.values(index, |key| key != STEP));
                 let truth = scene.as_ref().ok().and_then(|scene| self.truth(scene));
-                (scene, truth)
+                (scene.map(Arc::new), truth)
             })
             .collect();
         let at = self.axes.iter().position(|axis| axis.key == STEP);
@@ -164,7 +168,7 @@ impl Sweep {
             Place { index, values, scene, truth: *truth }
         };
         let among = |index: &usize| scenes.contains(&self.scene_index(*index));
-        (0..self.len()).filter(among).map(place).collect()
+        (0..self.len()).take_while(|_| !interrupt::requested()).filter(among).map(place).collect()
     }
 
     /// Which scene a place has, among those that differ in more than the step.
