@@ -104,13 +104,14 @@ fn odd_steps(contestant: &Contestant, system: &System, climbed: &Climbed) -> Vec
     match decisive(&climbed.ladder) {
         _ if climbed.refusal().is_some() || contestant.chooses_steps() => Vec::new(),
         _ if system.steady_spin() => GIANT_STEPS.to_vec(),
-        steps => steps.map(|steps| between(steps)[0]).into_iter().collect(),
+        steps => steps.map(|steps| 3 * steps / 2 + 1).into_iter().collect(),
     }
 }
 
-/// Odd numbers between so many steps, a multiple of eight, and twice as many. One alone may meet a kink as the finest run does by chance.
+/// Odd numbers between so many steps and twice as many, by the golden section: runs of halved steps and one of a simple multiple of them may meet a
+/// kink at one distance from the end of a step.
 fn between(steps: u64) -> [u64; 3] {
-    [6, 5, 7].map(|quarters| quarters * steps / 4 + 1)
+    [0.236, 0.618, 0.854].map(|part| ((1.0 + part) * steps as f64) as u64 | 1)
 }
 
 /// Steps of the coarser of the two finest runs where an error stays.
