@@ -23,8 +23,9 @@ use std::path::Path;
 
 use toml::de::DeTable;
 
+pub use crate::fault::Fault;
 #[cfg(feature = "cli")]
-pub use crate::fault::{Fault, Mend};
+pub use crate::fault::Mend;
 #[cfg(feature = "cli")]
 pub(crate) use begun::begun;
 pub use error::SceneError;

@@ -2,6 +2,7 @@
 
 #![allow(dead_code, reason = "each binary uses its own part")]
 
+pub mod pieces;
 pub mod program;
 
 use std::fs;

@@ -10,6 +10,7 @@ use polhode::scenes::{FILES, Scene};
 use tempfile::TempDir;
 
 use crate::changed_logs::Chance;
+use crate::common::pieces::PIECES;
 use crate::common::program::scratch;
 
 /// The exit codes of the interfaces.
@@ -22,42 +23,6 @@ const HANGS: Duration = Duration::from_secs(20);
 const LONGEST: usize = 6000;
 /// A scene that can be read is judged, too, once in so many.
 const JUDGED: usize = 8;
-
-/// Pieces that come into a scene.
-const PIECES: [&str; 32] = [
-    "",
-    "0",
-    "-",
-    "nan",
-    "inf",
-    "1e308",
-    "1e-308",
-    "5e-324",
-    "[",
-    "]",
-    "{",
-    "}",
-    "\"",
-    "\n",
-    "=",
-    "true",
-    "point = 9",
-    "[[forces]]\n",
-    "[body]\n",
-    "[0, 0, 0]",
-    "ß",
-    "1e-200",
-    "-1e200",
-    "1e20",
-    "99",
-    "e9",
-    "1e12",
-    "1e-12",
-    "-1",
-    "1e150",
-    "1e-150",
-    "1000000",
-];
 
 /// A command that works as it stands, and options of it with values that it takes, separated by `|`.
 const COMMANDS: [(&str, &str); 22] = [
