@@ -38,8 +38,9 @@ pub(super) fn scheme(card: &Card) -> SchemeRow {
 
 /// Who a foreign program is; `None` for a scheme of the list.
 pub(super) fn engine(contestant: &Contestant) -> Option<EngineRow> {
-    let Program { name, version, integrator, single_precision, .. } = contestant.program()?;
-    Some(EngineRow { scheme: contestant.card.name.to_owned(), name, version, integrator, single_precision })
+    let Program { name, version, integrator, single_precision, remarks, .. } = contestant.program()?;
+    let scheme = contestant.card.name.to_owned();
+    Some(EngineRow { scheme, name, version, integrator, single_precision, remarks })
 }
 
 pub(super) fn scene(

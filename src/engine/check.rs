@@ -5,6 +5,7 @@ use std::time::Duration;
 use super::error::Fault;
 use super::hello::Hello;
 use super::process::Process;
+use super::remarks::Oddest;
 use super::reply::{self, Answer, States};
 use super::specimen::{self, scene};
 use super::{EngineError, greet, patience, request, words};
@@ -85,7 +86,8 @@ impl Inquiry {
     fn all(&mut self, hello: &Hello) {
         self.finds("\"forces\" lists laws of scene files", known_laws(hello));
         let free = scene("", "");
-        let run = self.run(&free, 10, 4);
+        let steps = 10;
+        let run = self.run(&free, steps, 4);
         self.finds(
             "a run is answered by the states of step 0, of every K-th and of the last, finite, with all their numbers",
             run.as_ref().map(|states| format!("{} states", states.states.len())).map_err(Clone::clone),
@@ -93,6 +95,14 @@ impl Inquiry {
         if let Ok(states) = run {
             self.finds("the state of step 0 is the initial one", starts_there(&free, &states));
             self.keeps("elapsed_ns and evaluations say what the run cost", costs(&states));
+            let mut oddest = Oddest::default();
+            oddest.add(&states, steps);
+            let remarks = oddest.remarks(&states.precision);
+            let seen = if remarks.is_empty() { "none".to_owned() } else { remarks.join("; ") };
+            self.keeps(
+                "quaternions off unit length, runs of 0 ns, steps without an evaluation: remarks, no faults",
+                seen,
+            );
             let found = self.moves_as_it_should(&free);
             self.finds(
                 "position is X_cm; orientation takes body to world; both velocities are in world axes",

@@ -20,6 +20,7 @@ mod laws;
 mod memory;
 mod precision;
 mod process;
+mod remarks;
 mod reply;
 mod request;
 mod specimen;
@@ -46,6 +47,7 @@ use error::Fault;
 use hello::Hello;
 use precision::Precision;
 use process::Process;
+use remarks::Oddest;
 use reply::Answer;
 
 /// What stands before the command line in the name of a scheme.
@@ -77,6 +79,7 @@ pub struct Engine {
     faults: Mutex<Vec<String>>,
     asked: AtomicU64,
     precision: Mutex<Precision>,
+    oddest: Mutex<Oddest>,
 }
 
 impl Engine {
@@ -97,6 +100,7 @@ impl Engine {
             faults: Mutex::default(),
             asked: AtomicU64::new(0),
             precision: Mutex::default(),
+            oddest: Mutex::default(),
         })
     }
 
@@ -118,6 +122,7 @@ impl Engine {
             single_precision: self.hello.single_precision() || lock(&self.precision).is_single(),
             digits: lock(&self.precision).digits(),
             files: self.files.clone(),
+            remarks: lock(&self.oddest).remarks(&lock(&self.precision)),
             ..self.hello.program()
         }
     }
@@ -127,6 +132,7 @@ impl Engine {
         match self.ask(system, plan) {
             Ok(Answer::States(states)) => {
                 lock(&self.precision).add(&states.precision);
+                lock(&self.oddest).add(&states, plan.steps);
                 states.states.iter().for_each(store);
                 Outcome {
                     steps: plan.steps,

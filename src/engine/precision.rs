@@ -28,6 +28,13 @@ impl Precision {
         self.digits
     }
 
+    /// A unit in the last place of its numbers, relative. Numbers that an f32 holds are taken for those of one.
+    pub fn unit(&self) -> f64 {
+        let single = if self.double == 0 { f64::from(f32::EPSILON) } else { f64::EPSILON };
+        let last_digit = if self.digits < ALL_DIGITS - 1 { 10f64.powi(1 - self.digits as i32) } else { 0.0 };
+        single.max(last_digit)
+    }
+
     /// Whether all numbers were single ones: by chance an f64 is one in 2²⁹.
     pub fn is_single(&self) -> bool {
         self.double == 0 && self.single >= FEWEST

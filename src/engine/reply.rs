@@ -47,6 +47,8 @@ pub(super) struct States {
     pub evaluations: u64,
     /// What precision its numbers have.
     pub precision: Precision,
+    /// Largest distance of the length of a quaternion from one, before it was normalised.
+    pub off_unit: f64,
 }
 
 #[derive(Deserialize)]
@@ -75,6 +77,11 @@ impl State {
             .into_iter()
             .flatten()
             .copied()
+    }
+
+    /// How far its quaternion is off unit length.
+    fn off_unit(&self) -> f64 {
+        (self.orientation.iter().map(|x| x * x).sum::<f64>().sqrt() - 1.0).abs()
     }
 }
 
@@ -112,6 +119,7 @@ pub(super) fn read(line: &[u8], id: u64, system: &System, plan: &Plan) -> Result
     match (reply.states, reply.refused, reply.failed) {
         (Some(states), None, None) => Ok(Answer::States(States {
             precision: states.iter().flat_map(State::numbers).collect(),
+            off_unit: states.iter().map(State::off_unit).fold(0.0, f64::max),
             states: snapshots(&states, system, plan)?,
             nanoseconds: count(reply.elapsed_ns, "elapsed_ns")?,
             evaluations: count(reply.evaluations, "evaluations")?.unwrap_or(0),

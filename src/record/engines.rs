@@ -15,6 +15,9 @@ pub struct EngineRow {
     pub integrator: String,
     /// True where it says that it computes in single precision, or where every number that it returned is one.
     pub single_precision: bool,
+    /// What is odd about its answers, a sentence each.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub remarks: Vec<String>,
 }
 
 impl EngineRow {

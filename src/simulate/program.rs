@@ -15,4 +15,6 @@ pub struct Program {
     pub digits: usize,
     /// Fingerprint of the files that its command line names, or empty.
     pub files: String,
+    /// What is odd about its answers so far, a sentence each.
+    pub remarks: Vec<String>,
 }

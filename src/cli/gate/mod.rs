@@ -91,6 +91,9 @@ fn judged(options: &Options, partners: Option<&Baseline>, records: &Records) -> 
     if options.written.github {
         print(&report::annotations(records))?;
     }
+    for engine in &records.engines {
+        engine.remarks.iter().for_each(|remark| eprintln!("polhode: {}: {remark}", engine.label()));
+    }
     let code = gates::exit_code(&records.verdicts);
     let compared = partners.is_none_or(|baseline| has_partners(baseline, records));
     let motionless = motionless(records);
