@@ -118,11 +118,12 @@ impl Engine {
     }
 
     fn program(&self) -> Program {
+        let precision = *lock(&self.precision);
         Program {
-            single_precision: self.hello.single_precision() || lock(&self.precision).is_single(),
-            digits: lock(&self.precision).digits(),
+            single_precision: self.hello.single_precision() || precision.is_single(),
+            digits: precision.digits(),
             files: self.files.clone(),
-            remarks: lock(&self.oddest).remarks(&lock(&self.precision)),
+            remarks: lock(&self.oddest).remarks(&precision),
             ..self.hello.program()
         }
     }
