@@ -6,7 +6,7 @@ use super::Failure;
 use super::output::Force;
 use crate::campaign::{Earlier, Journal};
 use crate::interrupt;
-use crate::record::is_own_json;
+use crate::record::{self, is_own_json};
 
 /// Does work that keeps its finished rows in FILE.rows until all is written. Nothing is kept beside a device or a pipe.
 pub(super) fn with_journal(
@@ -25,6 +25,7 @@ pub(super) fn with_journal(
         (false, false) => Earlier::Refused,
     };
     let journal = Journal::open(&path, earlier)?;
+    record::rows_are_kept();
     if resume && !quiet {
         eprintln!("polhode: {} rows of {} are kept", journal.len(), path.display());
     }

@@ -152,7 +152,7 @@ fn is_of_a_kink(evidence: &Evidence, quantity: Quantity) -> bool {
     let at_end = finest.error(quantity, &ladder.arms);
     let another = |odd: &Rung| {
         let of_odd = odd.error(quantity, &ladder.arms);
-        let at_end = &at_end[at_end.len() - of_odd.len()..];
+        let at_end = &at_end[at_end.len().saturating_sub(of_odd.len())..];
         let apart: Vec<f64> = of_odd.iter().zip(at_end).map(|(odd, finest)| odd - finest).collect();
         length(&apart) > BELOW * length(at_end)
     };

@@ -61,6 +61,8 @@ pub use subjects::{ReferenceRow, SceneRow, SchemeRow};
 pub use tables::{BRIEF_CSV_FILES, CSV_FILES, write_brief_csv, write_csv, write_json};
 pub use verdict::{Ruling, Verdict};
 #[cfg(feature = "cli")]
+pub(crate) use whole::rows_are_kept;
+#[cfg(feature = "cli")]
 pub(crate) use whole::{WholeFile, write_whole};
 
 /// The schema that [`Records`] follows.

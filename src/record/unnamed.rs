@@ -17,18 +17,23 @@ pub(super) fn begin(folder: &Path) -> Option<File> {
     OpenOptions::new().write(true).mode(MODE).custom_flags(flags).open(folder).ok()
 }
 
-/// Gives a file the name of a file in its folder. One that has the name already is removed just before: a process that is killed between the
-/// two leaves neither, and no file that has another name.
+/// Gives a file the name of a file in its folder. One that has the name already is replaced by way of a second name, which a process that is
+/// killed at that moment leaves; where the rows of the run are kept, the earlier file is removed just before in place of that.
 ///
 /// # Errors
 /// The name cannot be taken.
-pub(super) fn take_name(file: &File, target: &Path) -> io::Result<()> {
+pub(super) fn take_name(file: &File, target: &Path, rows_are_kept: bool) -> io::Result<()> {
     let own = format!("/proc/self/fd/{}", file.as_raw_fd());
-    let link = || linkat(CWD, &own, CWD, target, AtFlags::SYMLINK_FOLLOW).map_err(io::Error::from);
-    match link() {
-        Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
+    let link = |name: &Path| linkat(CWD, &own, CWD, name, AtFlags::SYMLINK_FOLLOW).map_err(io::Error::from);
+    match link(target) {
+        Err(error) if error.kind() == io::ErrorKind::AlreadyExists && rows_are_kept => {
             fs::remove_file(target)?;
-            link()
+            link(target)
+        }
+        Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
+            let mut builder = tempfile::Builder::new();
+            let second = builder.prefix(".polhode-").make_in(super::place::folder(target), link)?;
+            second.persist(target).map(drop).map_err(|error| error.error)
         }
         other => other,
     }

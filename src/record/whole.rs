@@ -4,12 +4,22 @@
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::SystemTime;
 
 use tempfile::NamedTempFile;
 
 use super::RecordError;
 use super::place::{self, Way};
+
+/// Whether the rows of this process are on disk until all its files are written, so that none is lost where a file is missing for a moment.
+static ROWS_ARE_KEPT: AtomicBool = AtomicBool::new(false);
+
+/// Says that the rows of this process are on disk until all its files are written.
+#[cfg(feature = "cli")]
+pub(crate) fn rows_are_kept() {
+    ROWS_ARE_KEPT.store(true, Ordering::Relaxed);
+}
 
 /// A file that is written piece by piece and takes its name when it is whole. Dropped before that, it leaves nothing.
 pub struct WholeFile {
@@ -69,7 +79,8 @@ impl WholeFile {
             #[cfg(target_os = "linux")]
             Sink::Unnamed(file, target) => {
                 let file = file.into_inner().map_err(|error| fail(error.into_error()))?;
-                file.sync_all().and_then(|()| super::unnamed::take_name(&file, &target)).map_err(fail)
+                let kept = ROWS_ARE_KEPT.load(Ordering::Relaxed);
+                file.sync_all().and_then(|()| super::unnamed::take_name(&file, &target, kept)).map_err(fail)
             }
             Sink::Neighbour(file, target) => {
                 let file = file.into_inner().map_err(|error| fail(error.into_error()))?;
@@ -132,6 +143,8 @@ fn open_to_readers(_file: &NamedTempFile) -> io::Result<()> {
 
 #[cfg(test)]
 mod tests {
+    use std::time::Duration;
+
     use super::*;
 
     #[test]
@@ -149,6 +162,21 @@ mod tests {
         file.finish().expect("finished");
         assert_eq!(fs::read(&path).expect("text"), b"whole");
         assert_eq!(names(), 1);
+    }
+
+    #[test]
+    fn a_file_is_replaced_by_another_and_not_by_the_same() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("page.html");
+        let long_ago = SystemTime::UNIX_EPOCH + Duration::from_secs(1);
+        for text in ["one", "one", "two"] {
+            write_whole(&path, text.as_bytes()).expect("written");
+            let file = File::open(&path).expect("a file");
+            let touched = file.metadata().and_then(|of| of.modified()).expect("a time");
+            assert!(touched > long_ago && fs::read_to_string(&path).is_ok_and(|now| now == text));
+            file.set_modified(long_ago).expect("set");
+        }
+        assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 1);
     }
 
     #[cfg(unix)]

@@ -71,7 +71,7 @@ fn tables_and_help_are_no_wider_than_the_terminal() {
         });
         assert!(narrow <= 80 && narrow <= wide && wide <= 120, "{arguments:?}: {narrow}, {wide}");
     }
-    // A sentence after a table is a line of its own length.
+    // A sentence after a table is no row of it, and may be longer.
     let (text, _) =
         on_terminal(80, folder.path(), "exec \"$@\"", &["compare", "euler", "peskin-rk2", "free-rod"], &[]);
     let rules: String = text.lines().filter(|line| line.contains('─')).collect::<Vec<_>>().join("\n");

@@ -277,7 +277,7 @@ fn split(option: &str) -> (String, Option<Vec<&str>>) {
     }
 }
 
-/// Runs so many mutated command lines, each in a folder of its own. Returns how many of them did their work.
+/// Runs so many mutated command lines, each in a new folder. Returns how many of them did their work.
 pub fn take_mutated_lines(count: usize, seed: u64) -> usize {
     let stage = stage();
     let mut chance = Chance::of(seed);

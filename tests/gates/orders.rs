@@ -4,7 +4,7 @@ use polhode::gates::Baseline;
 use polhode::internals::measure::{Asked, Decision, Doubt, decide};
 use polhode::record::ClaimName::{self, Constant, Converges, ErrorOnRecord, Order, Run, Start};
 use polhode::record::Ruling::{self, Broken, Fail, Inconclusive, NotApplicable, Pass};
-use polhode::record::{Ladder, Verdict};
+use polhode::record::{Ladder, Rule, Verdict};
 use polhode::scenes;
 use polhode::schemes::{Claim, Quantity, When};
 
@@ -76,6 +76,39 @@ fn runs_that_converge_elsewhere_fail_in_every_scene_but_where_that_is_claimed() 
     // A motion that is another has no order; one that is right beside it has.
     let judged = at(SECOND, None).quantities(Order);
     assert!(!judged.contains(&"position".to_owned()) && judged.contains(&"velocity".to_owned()));
+}
+
+#[test]
+fn an_error_that_stays_is_of_a_kink_where_a_run_of_odd_steps_has_another() {
+    for (kinks, last, expected) in [
+        (true, 0.25, Fail),
+        // Runs that agree differ by a tenth at the most.
+        (true, 0.226, Fail),
+        (true, 0.224, NotApplicable),
+        (false, 0.224, Fail),
+    ] {
+        let mut made = Made::new("kovalevskaya", SECOND).with(POSITION, |_, _| 0.25);
+        made.evidence.setting.not_for_order = kinks.then(|| "a kink".to_owned());
+        let odd = |(steps, error)| {
+            let mut odd = rung(steps, 1);
+            odd.errors[POSITION][0] = error;
+            odd
+        };
+        made.evidence.ladder.odd = [(633, 0.25), (829, 0.25), (949, last)].map(odd).to_vec();
+        assert_eq!(made.ruling(Converges, "position"), expected, "{last}");
+    }
+}
+
+#[test]
+fn an_error_that_vanishes_from_one_run_to_the_next_fails_unless_a_step_may_end_at_a_kink() {
+    for (kinks, expected) in [(false, Fail), (true, NotApplicable)] {
+        let mut errors = power(1.0).map(|h| 0.05 * h);
+        errors[RUNS - 1] = 0.0;
+        let mut made = position(&errors, ROUNDING);
+        made.evidence.setting.not_for_order = kinks.then(|| "a kink".to_owned());
+        let of_jumps = made.judge().into_iter().find(|verdict| verdict.rule == Rule::Jump.word());
+        assert_eq!(of_jumps.expect("a verdict").verdict, expected, "{kinks}");
+    }
 }
 
 #[test]
