@@ -104,6 +104,7 @@ impl DoubleDouble {
         (self.high, self.low)
     }
 
+    #[inline]
     const fn plus(self, other: DoubleDouble) -> DoubleDouble {
         let (sum, error) = two_sum(self.high, other.high);
         let (low, last) = two_sum(self.low, other.low);
@@ -114,10 +115,12 @@ impl DoubleDouble {
         ordered_sum(first.high, first.low + last)
     }
 
+    #[inline]
     const fn negative(self) -> DoubleDouble {
         DoubleDouble { high: -self.high, low: -self.low }
     }
 
+    #[inline]
     const fn times(self, other: DoubleDouble) -> DoubleDouble {
         let (product, error) = two_product(self.high, other.high);
         if !error.is_finite() {
@@ -126,6 +129,7 @@ impl DoubleDouble {
         ordered_sum(product, error + (self.high * other.low + self.low * other.high))
     }
 
+    #[inline]
     const fn times_f64(self, other: f64) -> DoubleDouble {
         let (product, error) = two_product(self.high, other);
         if !error.is_finite() {
@@ -146,6 +150,7 @@ impl DoubleDouble {
         ordered_sum(product, error + (self.high * other.low + self.low * other.high))
     }
 
+    #[inline]
     const fn over(self, other: DoubleDouble) -> DoubleDouble {
         let first = self.high / other.high;
         if !first.is_finite() || !other.high.is_finite() {
@@ -160,6 +165,7 @@ impl DoubleDouble {
     }
 
     /// a times a power of two: exact.
+    #[inline]
     const fn scaled(self, power: f64) -> DoubleDouble {
         DoubleDouble { high: self.high * power, low: self.low * power }
     }

@@ -3,6 +3,7 @@
 
 use nalgebra::Vector3;
 
+use super::climb::FEWEST_RUNGS;
 use super::copies;
 use super::ladder::ROUNDING_DIGITS;
 use super::order::{Asked, BELOW, Decision, Run, decide};
@@ -22,9 +23,7 @@ use crate::simulate::{Contestant, Form, Plan};
 const TUMBLING: f64 = 0.9;
 /// Radians turned in a step of the coarsest run.
 const COARSEST_TURN: f64 = 0.16;
-/// Runs at halved steps, at least, …
-const FEWEST_RUNGS: usize = 8;
-/// … and at most, where the times are not settled.
+/// Runs at halved steps where the times are not settled, at most; as many as of a ladder at least.
 const MOST_RUNGS: usize = 11;
 /// Runs, at the fine end, that must have the flips of the truth.
 pub const COUNTED: usize = 3;
@@ -115,15 +114,24 @@ impl FlipFinder {
     /// Takes the next state.
     #[inline]
     pub fn push(&mut self, state: &Snapshot) {
-        let momentum = state.orientation.inverse_transform_vector(&state.angular_momentum);
-        let spin = state.orientation.inverse_transform_vector(&state.angular_velocity);
-        let now = (momentum.dot(&self.axis), momentum.cross(&spin).dot(&self.axis));
+        self.take(state, self.seen(state));
+    }
+
+    /// L·a and its rate (L × Ω)·a for the axis a.
+    #[inline]
+    fn seen(&self, state: &Snapshot) -> (f64, f64) {
+        let axis = state.orientation * self.axis;
+        (state.angular_momentum.dot(&axis), state.angular_momentum.cross(&state.angular_velocity).dot(&axis))
+    }
+
+    #[inline]
+    fn take(&mut self, state: &Snapshot, now: (f64, f64)) {
         if let Some((time, before)) = self.last
             && before.0 != 0.0
             && before.0.signum() != now.0.signum()
         {
             self.times.push(hermite_root(time, state.time, before, now));
-            self.slowest = self.slowest.min(now.1.abs() / rotation::length(&momentum));
+            self.slowest = self.slowest.min(now.1.abs() / rotation::length(&state.angular_momentum));
         }
         self.last = Some((state.time, now));
     }
@@ -159,9 +167,10 @@ impl Twice {
 
     #[inline]
     fn push(&mut self, state: &Snapshot) {
-        self.every.push(state);
+        let seen = self.every.seen(state);
+        self.every.take(state, seen);
         if self.pushed.is_multiple_of(2) {
-            self.second.push(state);
+            self.second.take(state, seen);
         }
         self.pushed += 1;
     }

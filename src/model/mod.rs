@@ -114,9 +114,16 @@ pub trait Rates<T: Real>:
 macro_rules! rates {
     ($(#[$doc:meta])* $rates:ident { $($(#[$part_doc:meta])* $part:ident),* }) => {
         $(#[$doc])*
-        #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct $rates<T: Real = f64> {
             $($(#[$part_doc])* pub $part: Vector3<T>,)*
+        }
+
+        impl<T: Real> Default for $rates<T> {
+            #[inline]
+            fn default() -> $rates<T> {
+                $rates { $($part: $crate::rotation::zero(),)* }
+            }
         }
 
         impl<T: Real> std::ops::Add for $rates<T> {

@@ -63,7 +63,7 @@ impl<T: Real> Model for Rotor<T> {
     fn rates(&self, t: T, state: &RotorState<T>) -> Result<RotorRates<T>, Broken> {
         let (spin, axes) = self.spin(state);
         let (origin, velocity) = match self.pivot {
-            Some(pivot) => (pivot, Vector3::zeros()),
+            Some(pivot) => (pivot, rotation::zero()),
             None => (self.start.position + self.start.velocity * t, self.start.velocity),
         };
         let load = self.forces.load(t, &Pose { axes, origin, velocity, spin });
@@ -84,7 +84,7 @@ impl<T: Real> Model for Rotor<T> {
         let (spin, axes) = self.spin(state);
         let (position, velocity) = match self.pivot {
             Some(pivot) => {
-                let arm = axes * self.center;
+                let arm = rotation::applied(&axes, &self.center);
                 (pivot + arm, spin.cross(&arm))
             }
             None => (self.start.position + self.start.velocity * t, self.start.velocity),

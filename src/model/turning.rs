@@ -9,7 +9,7 @@ use super::rotor::Rotor;
 use super::system::Rotational;
 use super::{Broken, Turning};
 use crate::arithmetic::Real;
-use crate::rotation::{Rotation, formulas, length};
+use crate::rotation::{Rotation, formulas, length, zero};
 
 impl<T: Real> Turning for Free<T> {
     #[inline]
@@ -54,7 +54,7 @@ impl<T: Real> Turning for Free<T> {
 
     #[inline]
     fn torque_of(&self, _rates: &FreeRates<T>) -> Vector3<T> {
-        Vector3::zeros()
+        zero()
     }
 
     #[inline]
@@ -102,7 +102,7 @@ impl<T: Real> Turning for Falling<T> {
 
     #[inline]
     fn torque_of(&self, _rates: &Self::Rates) -> Vector3<T> {
-        Vector3::zeros()
+        zero()
     }
 
     #[inline]

@@ -25,6 +25,12 @@ pub fn length<T: Real>(v: &Vector3<T>) -> T {
     if plain > T::PLAIN_SQUARES[0] && plain < T::PLAIN_SQUARES[1] {
         return plain.sqrt();
     }
+    scaled_length(v)
+}
+
+/// The length where squares overflow or lose digits.
+#[cold]
+fn scaled_length<T: Real>(v: &Vector3<T>) -> T {
     let largest = v.amax();
     if largest == 0.0 || !largest.is_finite() {
         return largest;
@@ -36,12 +42,12 @@ pub fn length<T: Real>(v: &Vector3<T>) -> T {
 ///
 /// With x = |v|/2 the quaternion is (cos x, (sin x / x) v/2). Where x² underflows, sin x / x is 1 to the last
 /// bit anyway; where it would overflow, the length is taken scaled.
-#[inline]
+#[inline(always)]
 pub fn turn<T: Real>(v: &Vector3<T>) -> Rotation<T> {
     let half = v * T::of(0.5);
     let x = length(&half);
     if x == 0.0 {
-        return Rotation::identity();
+        return identity();
     }
     let (sine, cosine) = x.sin_cos();
     Rotation::new_unchecked(Quaternion::from_parts(cosine, half * (sine / x)))
@@ -52,7 +58,7 @@ pub fn turn<T: Real>(v: &Vector3<T>) -> Rotation<T> {
 ///
 /// About axes of the body R = R₁ R₂ R₃, about those of the world R = R₃ R₂ R₁.
 pub(crate) fn euler(angles: [f64; 3], axes: [usize; 3], of_body: bool) -> Rotation {
-    let [first, second, third] = [0, 1, 2].map(|i| turn(&Vector3::ith(axes[i], angles[i])));
+    let [first, second, third] = [0, 1, 2].map(|i| turn(&along(axes[i], angles[i])));
     if of_body { first * second * third } else { third * second * first }
 }
 
@@ -95,6 +101,51 @@ pub fn rate_of<T: Real>(spin: &Vector3<T>, q: &Quaternion<T>) -> Quaternion<T> {
     let half = [spin.x * 0.5, spin.y * 0.5, spin.z * 0.5];
     let [w, x, y, z] = formulas::pure_times(half, [q.w, q.i, q.j, q.k]);
     Quaternion::new(w, x, y, z)
+}
+
+/// No rotation.
+#[inline(always)]
+pub fn identity<T: Real>() -> Rotation<T> {
+    Rotation::new_unchecked(Quaternion::new(T::one(), T::zero(), T::zero(), T::zero()))
+}
+
+/// The zero vector. nalgebra's is made by an iterator that is compiled apart, like the loops of its products.
+#[inline(always)]
+pub fn zero<T: Real>() -> Vector3<T> {
+    Vector3::new(T::zero(), T::zero(), T::zero())
+}
+
+/// A vector of this length along an axis.
+#[inline(always)]
+pub fn along<T: Real>(axis: usize, length: T) -> Vector3<T> {
+    let mut vector = zero();
+    vector[axis] = length;
+    vector
+}
+
+/// q/|q|.
+#[inline(always)]
+pub fn normalized<T: Real>(q: Quaternion<T>) -> Rotation<T> {
+    let length = q.norm();
+    Rotation::new_unchecked(Quaternion::new(q.w / length, q.i / length, q.j / length, q.k / length))
+}
+
+/// R⁻¹ v.
+#[inline(always)]
+pub fn turned_back<T: Real>(rotation: &Rotation<T>, v: &Vector3<T>) -> Vector3<T> {
+    let axis = Vector3::new(-rotation.i, -rotation.j, -rotation.k);
+    let across = axis.cross(v) * T::of(2.0);
+    across * rotation.w + axis.cross(&across) + v
+}
+
+/// A x. nalgebra's product is a call of loops that are compiled apart from the code around it.
+#[inline(always)]
+pub fn applied<T: Real>(a: &Matrix3<T>, x: &Vector3<T>) -> Vector3<T> {
+    Vector3::new(
+        a.m11 * x.x + a.m12 * x.y + a.m13 * x.z,
+        a.m21 * x.x + a.m22 * x.y + a.m23 * x.z,
+        a.m31 * x.x + a.m32 * x.y + a.m33 * x.z,
+    )
 }
 
 /// The matrix of a rotation.
@@ -167,7 +218,7 @@ pub fn unit<T: Real>(q: &Quaternion<T>) -> Rotation<T> {
     if excess.abs() <= T::LARGEST_EXCESS {
         Rotation::new_unchecked(q * formulas::inverse_root(excess))
     } else {
-        Rotation::new_normalize(*q)
+        normalized(*q)
     }
 }
 

@@ -258,3 +258,16 @@ fn the_spin_of_a_quaternion_of_any_length_is_that_of_its_direction() {
         assert!((moved - rate).norm() < bound * 0.1 * q.norm());
     }
 }
+
+#[test]
+fn what_is_written_out_has_the_bits_of_nalgebra() {
+    for round in 0..200 {
+        let part = |k: i32| (0.7 + f64::from(round) + 1.3 * f64::from(k * k)).sin();
+        let q = Quaternion::new(part(0), part(1), part(2), part(3));
+        let v = Vector3::new(part(4), part(5), part(6));
+        assert_eq!(normalized(q), UnitQuaternion::new_normalize(q));
+        assert_eq!(turned_back(&normalized(q), &v), normalized(q).inverse_transform_vector(&v));
+        assert_eq!(along(round as usize % 3, v.x), Vector3::ith(round as usize % 3, v.x));
+    }
+    assert_eq!(identity::<f64>(), UnitQuaternion::identity());
+}

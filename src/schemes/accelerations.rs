@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use crate::arithmetic::Real;
 use crate::model::{Motion, Rates, Turning};
-use crate::rotation::Rotation;
+use crate::rotation::{Rotation, turned_back, zero};
 
 /// Accelerations of the rotation, body axes [rad/s²], and of the centre of mass [m/s²].
 #[derive(Clone, Copy)]
@@ -22,9 +22,9 @@ impl<T: Real> Accelerations<T> {
         attitude: &Rotation<T>,
         momentum: &Vector3<T>,
     ) -> Self {
-        let in_body = attitude.inverse_transform_vector(momentum);
+        let in_body = turned_back(&attitude, momentum);
         let inverse = model.rotational().inverse_moments;
-        let torque = attitude.inverse_transform_vector(&model.torque_of(rates));
+        let torque = turned_back(&attitude, &model.torque_of(rates));
         let spin = (torque - inverse.component_mul(&in_body).cross(&in_body)).component_mul(&inverse);
         Accelerations { spin, velocity: rates.motion().acceleration }
     }
@@ -41,7 +41,7 @@ impl<T: Real> Accelerations<T> {
     /// As rates, to be kept in the history.
     #[inline]
     pub(super) fn kept<R: Rates<T>>(&self) -> R {
-        let zero = Vector3::zeros();
+        let zero = zero();
         R::of(Motion { spin: self.spin, velocity: zero, acceleration: self.velocity, torque: zero })
     }
 

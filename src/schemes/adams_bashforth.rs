@@ -19,7 +19,7 @@ use super::{Card, PeskinRk4, Scheme, Step, TurningScheme};
 use crate::arithmetic::Real;
 use crate::claim::Claim;
 use crate::model::{Broken, Rates, Turning};
-use crate::rotation::Rotation;
+use crate::rotation::normalized;
 
 /// A method of Adams and Bashforth.
 #[derive(Clone, Copy, Debug)]
@@ -132,7 +132,7 @@ impl TurningScheme for AdamsBashforth {
             change += derivative(model, state, k) * self.weight::<M::Real>(ago + 1);
         }
         model.advance(from, h, &rates, to); // (2)
-        let attitude = Rotation::new_normalize(model.attitude(from).into_inner() + change * h); // (1)
+        let attitude = normalized(model.attitude(from).into_inner() + change * h); // (1)
         let momentum = model.momentum(to);
         model.place(to, attitude, momentum);
         remember(&mut work.history, past, k0, from);

@@ -23,7 +23,7 @@ use super::{Card, Step, TurningScheme};
 use crate::arithmetic::Real;
 use crate::claim::Claim;
 use crate::model::{Broken, Rates, Turning};
-use crate::rotation::Rotation;
+use crate::rotation::{normalized, turned_back};
 
 /// A method of Adams and Bashforth on body rates.
 #[derive(Clone, Copy, Debug)]
@@ -105,9 +105,9 @@ impl TurningScheme for AdamsBashforthBody {
         }
         let body = model.rotational();
         let old = model.attitude(from);
-        let spin = body.inverse_moments.component_mul(&old.inverse_transform_vector(&model.momentum(from)));
+        let spin = body.inverse_moments.component_mul(&turned_back(&old, &model.momentum(from)));
         model.advance(from, h, &rates, to); // (3)
-        let attitude = Rotation::new_normalize(old.into_inner() + turning * h); // (2)
+        let attitude = normalized(old.into_inner() + turning * h); // (2)
         let momentum = attitude * body.moments.component_mul(&(spin + gain * h)); // (1), (4)
         model.place(to, attitude, momentum);
         remember(&mut work.history, past, k0, from);

@@ -12,7 +12,7 @@ use nalgebra::{Quaternion, Vector3};
 use super::vector_form::hold;
 use crate::arithmetic::Real;
 use crate::model::{Broken, Rates, Turning};
-use crate::rotation::{rate_of, unit};
+use crate::rotation::{rate_of, turned_back, unit};
 
 /// How a state changes: U_cm, F/M in rates, q̇ (1) and l̇ (2).
 #[derive(Clone, Copy, Debug)]
@@ -52,7 +52,7 @@ impl<'a, M: Turning> From<'a, M> {
     #[inline(always)]
     pub(super) fn new(model: &'a M, state: &'a M::State) -> From<'a, M> {
         let attitude = model.attitude(state);
-        let l = attitude.inverse_transform_vector(&model.momentum(state));
+        let l = turned_back(&attitude, &model.momentum(state));
         From { model, state, q: attitude.into_inner(), l }
     }
 
@@ -107,7 +107,7 @@ fn slope<M: Turning>(
     l: &Vector3<M::Real>,
 ) -> Result<Slope<M::Real, M::Rates>, Broken> {
     let rates = model.rates(t, state)?;
-    let torque = model.attitude(state).inverse_transform_vector(&model.torque_of(&rates));
+    let torque = turned_back(&model.attitude(state), &model.torque_of(&rates));
     let spin = model.rotational().inverse_moments.component_mul(l);
     Ok(Slope {
         rates,

@@ -59,7 +59,7 @@ impl TurningScheme for Cf4 {
 /// Rates with the spin in body axes.
 fn body_rates<M: Turning>(model: &M, t: M::Real, state: &M::State) -> Result<M::Rates, Broken> {
     let motion = model.rates(t, state)?.motion();
-    let spin = model.attitude(state).inverse_transform_vector(&motion.spin);
+    let spin = rotation::turned_back(&model.attitude(state), &motion.spin);
     Ok(M::Rates::of(Motion { spin, ..motion }))
 }
 

@@ -6,7 +6,7 @@ use super::iteration::until_settled;
 use super::vector_form::{hold, quaternion_rate};
 use crate::arithmetic::{Number, Real};
 use crate::model::{Broken, Rates, Turning};
-use crate::rotation::Rotation;
+use crate::rotation::normalized;
 
 /// Coefficients of an implicit Runge–Kutta method of S stages.
 pub(super) struct Tableau<T, const S: usize> {
@@ -41,7 +41,7 @@ pub(super) fn step<M: Turning, const S: usize>(
         for i in 0..S {
             let row = &tableau.matrix[i];
             let q = (0..S).fold(q0, |q, j| q + slopes[j] * (h * row[j]));
-            hold(model, from, h, &sum(row, &rates), Rotation::new_normalize(q), next);
+            hold(model, from, h, &sum(row, &rates), normalized(q), next);
             largest = largest.larger(model.apart(next, &stages[i]));
             std::mem::swap(next, &mut stages[i]);
             rates[i] = model.rates(t + tableau.nodes[i] * h, &stages[i])?;
@@ -50,6 +50,6 @@ pub(super) fn step<M: Turning, const S: usize>(
         Ok(largest)
     })?;
     let q1 = (0..S).fold(q0, |q, j| q + slopes[j] * (h * tableau.weights[j]));
-    hold(model, from, h, &sum(&tableau.weights, &rates), Rotation::new_normalize(q1), to);
+    hold(model, from, h, &sum(&tableau.weights, &rates), normalized(q1), to);
     Ok(())
 }

@@ -11,15 +11,13 @@
 //! Solved by fixed-point iteration. Source: chung1993 for (3) and (4); bruls2010 on groups. Second order; numerical damping of what
 //! turns by more than a radian a step.
 
-use nalgebra::Vector3;
-
 use super::accelerations::{Accelerations, Alphas};
 use super::families::{FLIGHT, claims};
 use super::iteration::until_settled;
 use super::{Card, Step, TurningScheme};
 use crate::arithmetic::Real;
 use crate::model::{Broken, Motion, Rates, Turning};
-use crate::rotation::{renormalized, turn};
+use crate::rotation::{renormalized, turn, turned_back, zero};
 
 /// The generalised-α method on the rotation group.
 #[derive(Clone, Copy, Debug)]
@@ -61,7 +59,7 @@ impl TurningScheme for GeneralizedAlpha {
         let alphas = Alphas::of(M::Real::of(self.radius)); // (4)
         let body = model.rotational();
         let (attitude0, momentum0) = (model.attitude(from), model.momentum(from));
-        let v0 = body.inverse_moments.component_mul(&attitude0.inverse_transform_vector(&momentum0));
+        let v0 = body.inverse_moments.component_mul(&turned_back(&attitude0, &momentum0));
         let k0 = model.rates(t, from)?;
         let velocity0 = k0.motion().velocity;
         let true0 = Accelerations::of(model, &k0, &attitude0, &momentum0);
@@ -73,10 +71,10 @@ impl TurningScheme for GeneralizedAlpha {
             let (mean, change) = (alphas.mean(&a0, &a1), alphas.change(&a0, &a1));
             std::mem::swap(to, before);
             let rates = M::Rates::of(Motion {
-                spin: Vector3::zeros(),
+                spin: zero(),
                 velocity: velocity0 + mean.velocity * h,
                 acceleration: change.velocity,
-                torque: Vector3::zeros(),
+                torque: zero(),
             });
             model.advance(from, h, &rates, to); // (5)
             let attitude = renormalized(attitude0 * turn(&((v0 + mean.spin * h) * h))); // (1)

@@ -27,7 +27,7 @@ use super::iteration::until_settled;
 use super::{Card, Step, TurningScheme};
 use crate::arithmetic::Real;
 use crate::model::{Broken, Carried, Motion, Rates, Turning};
-use crate::rotation::{Rotation, renormalized, turn};
+use crate::rotation::{Rotation, renormalized, turn, turned_back};
 
 /// The generalised-α method with the pivot as a constraint.
 #[derive(Clone, Copy, Debug)]
@@ -145,8 +145,7 @@ impl<T: Real> Start<T> {
         let spin = self.spin + change.spin * h; // (2)
         let turn = turn(&((self.spin + mean.spin * h) * h));
         let attitude = renormalized(turn * self.attitude); // (1)
-        let momentum =
-            attitude * attitude.inverse_transform_vector(&spin).component_mul(&model.rotational().moments);
+        let momentum = attitude * turned_back(&attitude, &spin).component_mul(&model.rotational().moments);
         let (velocity, zero) = (self.velocity + mean.velocity * h, Vector3::zeros());
         let motion = Motion { spin: zero, velocity, acceleration: change.velocity, torque: zero };
         model.advance(from, h, &M::Rates::of(motion), to); // (1), (2)
@@ -213,5 +212,5 @@ fn spin_rate<M: Turning>(
     attitude: &Rotation<M::Real>,
     torque: &Vector3<M::Real>,
 ) -> Vector3<M::Real> {
-    attitude * attitude.inverse_transform_vector(torque).component_mul(&model.rotational().inverse_moments)
+    attitude * turned_back(&attitude, torque).component_mul(&model.rotational().inverse_moments)
 }

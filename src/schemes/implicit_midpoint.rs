@@ -17,7 +17,7 @@ use super::iteration::until_settled;
 use super::{Card, Step, TurningScheme};
 use crate::arithmetic::Real;
 use crate::model::{Broken, Turning};
-use crate::rotation::{Rotation, renormalized};
+use crate::rotation::{normalized, renormalized, turned_back};
 
 /// The implicit midpoint rule with the Cayley map.
 #[derive(Clone, Copy, Debug)]
@@ -42,10 +42,10 @@ impl TurningScheme for ImplicitMidpoint {
 
     fn step<M: Turning>(&self, model: &M, Step { t, h, from, to, work }: Step<M>) -> Result<(), Broken> {
         let (first, second) = work.states.split_at_mut(1);
-        let (half, before) = (&mut first[0], &mut second[0]);
+        let (mut half, mut before) = (&mut first[0], &mut second[0]);
         let body = model.rotational();
         let attitude0 = model.attitude(from);
-        let m0 = attitude0.inverse_transform_vector(&model.momentum(from));
+        let m0 = turned_back(&attitude0, &model.momentum(from));
         let (mut m1, mut attitude1) = (m0, attitude0);
         let mut rates = model.rates(t, from)?;
         before.clone_from(from);
@@ -53,14 +53,14 @@ impl TurningScheme for ImplicitMidpoint {
             let middle = (m0 + m1) / M::Real::of(2.0); // (1)
             let spin = body.inverse_moments.component_mul(&middle);
             attitude1 = renormalized(attitude0 * cayley(&(spin * h))); // (2)
-            let halfway = Rotation::new_normalize(*attitude0 + *attitude1);
+            let halfway = normalized(*attitude0 + *attitude1);
             model.advance(from, h / 2.0, &rates, half); // (3)
             model.place(half, halfway, halfway * middle);
             rates = model.rates(t + h / 2.0, half)?;
-            let torque = halfway.inverse_transform_vector(&model.torque_of(&rates));
+            let torque = turned_back(&halfway, &model.torque_of(&rates));
             m1 = m0 + (middle.cross(&spin) + torque) * h; // (4)
             let change = model.apart(half, before);
-            std::mem::swap(half, before);
+            std::mem::swap(&mut half, &mut before);
             Ok(change)
         })?;
         model.advance(from, h, &rates, to); // (5)

@@ -4,6 +4,7 @@ use crate::arithmetic::Real;
 use crate::model::{Broken, Model};
 
 /// Change of an iterate, relative, that is rounding.
+#[inline]
 fn rounding<T: Real>() -> f64 {
     4.0 * T::UNIT
 }
@@ -12,6 +13,7 @@ fn rounding<T: Real>() -> f64 {
 pub(crate) const SOLVED_TO: f64 = 1e-12;
 
 /// The same in an arithmetic; below it the iteration goes on for as long as it improves.
+#[inline]
 pub(super) fn tolerance<T: Real>() -> f64 {
     SOLVED_TO * (T::UNIT / f64::EPSILON)
 }
@@ -21,6 +23,7 @@ pub(super) fn tolerance<T: Real>() -> f64 {
 const STALE: u32 = 3;
 
 /// Iterations at most: a hundred, and more where more digits are asked for, in proportion to them.
+#[inline]
 fn most<T: Real>() -> u32 {
     let digits = tolerance::<T>().log10() / tolerance::<f64>().log10();
     (100.0 * digits.max(1.0)).round() as u32

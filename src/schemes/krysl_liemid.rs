@@ -35,14 +35,14 @@ impl TurningScheme for KryslLiemid {
 
     fn step<M: Turning>(&self, model: &M, Step { t, h, from, to, work }: Step<M>) -> Result<(), Broken> {
         let (first, second) = work.states.split_at_mut(1);
-        let (half, before) = (&mut first[0], &mut second[0]);
+        let (mut half, mut before) = (&mut first[0], &mut second[0]);
         let mut middle = model.rates(t, from)?;
         before.clone_from(from);
         until_settled(model, || {
             model.advance(from, h / 2.0, &middle, half); // (1)
             middle = model.rates(t + h / 2.0, half)?; // (2)
             let change = model.apart(half, before);
-            std::mem::swap(half, before);
+            std::mem::swap(&mut half, &mut before);
             Ok(change)
         })?;
         model.advance(from, h, &middle, to); // (3)

@@ -14,7 +14,7 @@ use super::cayley::{cayley, spin_of_step};
 use super::families::{IMPLICIT, claims};
 use super::{Card, Step, TurningScheme};
 use crate::model::{Broken, Turning};
-use crate::rotation::renormalized;
+use crate::rotation::{renormalized, turned_back};
 
 /// The variational Lie–Verlet method.
 #[derive(Clone, Copy, Debug)]
@@ -43,7 +43,7 @@ impl TurningScheme for LieVerlet {
         model.kick(to, h / 2.0, &k0); // (1)
         model.drift(to, h);
         let (attitude, momentum) = (model.attitude(from), model.momentum(to));
-        let in_body = attitude.inverse_transform_vector(&momentum);
+        let in_body = turned_back(&attitude, &momentum);
         let spin = spin_of_step(model, h, &in_body)?; // (2)
         model.place(to, renormalized(attitude * cayley(&(spin * h))), momentum); // (3)
         let k1 = model.rates(t + h, to)?;

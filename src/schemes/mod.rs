@@ -20,6 +20,7 @@ mod iteration;
 mod multipliers;
 mod preprocessing;
 mod semi_implicit;
+mod small;
 mod splitting;
 mod substepped;
 #[cfg(feature = "solvers")]

@@ -17,12 +17,13 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::families::{BALLISTIC, KICKS, claims};
 use super::preprocessing::preprocessed;
+use super::small::{outer, scaled_columns};
 use super::splitting::kick_turn_kick;
 use super::{Card, Step, TurningScheme};
 use crate::arithmetic::Real;
 use crate::claim::Claim;
 use crate::model::{Broken, Turning};
-use crate::rotation::Rotation;
+use crate::rotation::{Rotation, applied};
 
 /// Newton's iterations allowed.
 const ITERATIONS: u32 = 30;
@@ -120,20 +121,21 @@ impl TurningScheme for MoserVeselov {
 #[inline]
 fn discrete_turn<T: Real>(moments: &Vector3<T>, momentum: &Vector3<T>, h: T) -> Result<Rotation<T>, Broken> {
     let scale = moments.amax();
-    let inertia = Matrix3::from_diagonal(&(moments / scale));
+    let moments = moments / scale;
     let right = momentum * (h * 0.5 / scale);
-    let mut v = right.component_div(&inertia.diagonal());
+    let mut v = right.component_div(&moments);
     let mut residual = T::of(f64::INFINITY);
     let smallest = correction::<T>();
     for _ in 0..ITERATIONS {
         let real = (T::one() - v.norm_squared()).sqrt();
-        let turned = inertia * v;
+        let turned = moments.component_mul(&v);
         let left = turned * real + v.cross(&turned); // (1)
         residual = (left - right).norm();
-        let slope = inertia * real - turned * v.transpose() / real + v.cross_matrix() * inertia
+        let slope = Matrix3::from_diagonal(&(moments * real)) - outer(&turned, &v) / real
+            + scaled_columns(&v.cross_matrix(), &moments)
             - turned.cross_matrix();
         let Some(inverse) = slope.try_inverse() else { break };
-        let correction = inverse * (right - left);
+        let correction = applied(&inverse, &(right - left));
         v += correction;
         if correction.norm() <= v.norm() * smallest {
             return Ok(Rotation::new_unchecked(nalgebra::Quaternion::from_parts(

@@ -1,8 +1,9 @@
 //! The symmetric matrix of multipliers that holds nine entries to a rotation, by Newton's method.
 
-use nalgebra::{Matrix3, Matrix6, Vector6};
+use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 
 use super::iteration::tolerance;
+use super::small::solved;
 use crate::arithmetic::Real;
 use crate::model::Broken;
 
@@ -11,14 +12,14 @@ const ITERATIONS: u32 = 30;
 /// Entries of a symmetric matrix.
 const ENTRIES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
 
-/// F = `line`(Σ) whose `excess`, Fᵀ F − E, is zero. `inverse` is the diagonal matrix that ∂F/∂Σ multiplies by from the right.
+/// F = `line`(Σ) whose `excess`, Fᵀ F − E, is zero. `inverse` is the diagonal that ∂F/∂Σ multiplies by from the right.
 ///
 /// # Errors
 /// [`Broken::NoConvergence`] where the line does not come near a rotation.
 pub(super) fn orthogonal<T: Real>(
     line: impl Fn(&Matrix3<T>) -> Matrix3<T>,
     excess: impl Fn(&Matrix3<T>) -> Matrix3<T>,
-    inverse: &Matrix3<T>,
+    inverse: &Vector3<T>,
 ) -> Result<Matrix3<T>, Broken> {
     let mut multipliers = Matrix3::zeros();
     let (orthogonal, tolerance) = (8.0 * T::UNIT, tolerance::<T>());
@@ -33,12 +34,14 @@ pub(super) fn orthogonal<T: Real>(
         }
         let mut slope = Matrix6::zeros();
         for (column, (i, j)) in ENTRIES.into_iter().enumerate() {
-            let mut unit = Matrix3::zeros();
-            (unit[(i, j)], unit[(j, i)]) = (T::one(), T::one());
-            let half = inverse * unit * f;
+            // D⁻¹ E F, where E is one in these two entries.
+            let mut half = Matrix3::zeros();
+            for k in 0..3 {
+                (half[(i, k)], half[(j, k)]) = (inverse[i] * f[(j, k)], inverse[j] * f[(i, k)]);
+            }
             slope.set_column(column, &entries(&(half + half.transpose())));
         }
-        let Some(change) = slope.lu().solve(&entries(&excess)) else { return Err(Broken::Singular) };
+        let Some(change) = solved(slope, entries(&excess)) else { return Err(Broken::Singular) };
         for (k, (i, j)) in ENTRIES.into_iter().enumerate() {
             multipliers[(i, j)] -= change[k];
             if i != j {

@@ -18,7 +18,7 @@ use super::vector_form::quaternion_rate;
 use super::{Card, Step, TurningScheme};
 use crate::arithmetic::Real;
 use crate::model::{Broken, Turning};
-use crate::rotation::{Rotation, renormalized};
+use crate::rotation::{Rotation, normalized, renormalized};
 
 /// Omelyan's leapfrog.
 #[derive(Clone, Copy, Debug)]
@@ -53,7 +53,7 @@ impl TurningScheme for OmelyanLeapfrog {
         let mut q1 = q0;
         until_settled(model, || {
             let half: Quaternion<M::Real> = (q0 + q1) * M::Real::of(0.5); // (2)
-            let spin = model.rotational().spin(&Rotation::new_normalize(half), &momentum);
+            let spin = model.rotational().spin(&normalized(half), &momentum);
             let last = q1;
             q1 = q0 + quaternion_rate(&spin, &half) * h; // (3)
             Ok((q1 - last).norm())

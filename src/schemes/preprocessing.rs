@@ -46,10 +46,11 @@ fn polynomial<T: Real>(m: usize, e: T, [e1, e2, e3]: [T; 3]) -> (T, T) {
         ]
         .map(|c| c / 9.0),
     };
-    coefficients
-        .iter()
-        .rev()
-        .fold((zero, zero), |(value, slope), coefficient| (value * e + *coefficient, slope * e + value))
+    let (mut value, mut slope) = (zero, zero);
+    for coefficient in coefficients.iter().rev() {
+        (value, slope) = (value * e + *coefficient, slope * e + value);
+    }
+    (value, slope)
 }
 
 /// The largest power of two that is no larger than a positive number.

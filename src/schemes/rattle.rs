@@ -18,6 +18,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::families::{KICKS, claims};
 use super::multipliers::orthogonal;
+use super::small::{product, scaled_columns};
 use super::splitting::kick_turn_kick;
 use super::{Card, Step, TurningScheme};
 use crate::arithmetic::Real;
@@ -56,10 +57,10 @@ fn constrained_turn<T: Real>(
 ) -> Result<Rotation<T>, Broken> {
     let second = Vector3::repeat(body.moments.sum() / 2.0) - body.moments;
     let d = Matrix3::from_diagonal(&second);
-    let inverse = Matrix3::from_diagonal(&second.map(|x| T::one() / x));
+    let inverse = second.map(|x| T::one() / x);
     let free = d + momentum.cross_matrix() * (h / 2.0);
-    let line = |multipliers: &Matrix3<T>| (free + multipliers) * inverse; // (2)
-    let excess = |f: &Matrix3<T>| f.transpose() * f - Matrix3::identity(); // (3)
+    let line = |multipliers: &Matrix3<T>| scaled_columns(&(free + multipliers), &inverse); // (2)
+    let excess = |f: &Matrix3<T>| product(&f.transpose(), f) - Matrix3::identity(); // (3)
     orthogonal(line, excess, &inverse).map(|f| from_matrix(&f))
 }
 

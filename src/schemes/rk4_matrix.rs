@@ -15,6 +15,7 @@
 use nalgebra::Matrix3;
 
 use super::families::{BALLISTIC, claims};
+use super::small::product;
 use super::vector_form::{hold, orthonormal};
 use super::{Card, Step, TurningScheme};
 use crate::arithmetic::Real;
@@ -43,7 +44,8 @@ impl TurningScheme for Rk4Matrix {
         let [stage] = work.buffers();
         let two = M::Real::of(2.0);
         let a0 = model.attitude(from).to_rotation_matrix().into_inner();
-        let turned = |rates: &M::Rates, a: &Matrix3<M::Real>| model.spin_of(rates).cross_matrix() * a;
+        let turned =
+            |rates: &M::Rates, a: &Matrix3<M::Real>| product(&model.spin_of(rates).cross_matrix(), a);
         let place = |s: M::Real, rates: &M::Rates, a: &Matrix3<M::Real>, into: &mut M::State| {
             hold(model, from, s, rates, rotation::from_matrix(&orthonormal(a)), into);
         };

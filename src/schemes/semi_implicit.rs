@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::vector_form::quaternion_rate;
 use crate::model::Turning;
-use crate::rotation::Rotation;
+use crate::rotation::{normalized, turned_back};
 
 /// The spin about the principal axes and the torque about them, at a state with these rates.
 #[inline]
@@ -14,7 +14,7 @@ pub(super) fn in_body_axes<M: Turning>(
     rates: &M::Rates,
 ) -> (Vector3<M::Real>, Vector3<M::Real>) {
     let attitude = model.attitude(state);
-    let to_body = |v: Vector3<M::Real>| attitude.inverse_transform_vector(&v);
+    let to_body = |v: Vector3<M::Real>| turned_back(&attitude, &v);
     (to_body(model.spin_of(rates)), to_body(model.torque_of(rates)))
 }
 
@@ -48,7 +48,7 @@ pub(super) fn move_by<M: Turning>(
     model.drift(to, h);
     let attitude = model.attitude(from);
     let spin = attitude * spin;
-    let turned = Rotation::new_normalize(*attitude + quaternion_rate(&spin, &attitude) * h);
-    let momentum = turned * turned.inverse_transform_vector(&spin).component_mul(&model.rotational().moments);
+    let turned = normalized(*attitude + quaternion_rate(&spin, &attitude) * h);
+    let momentum = turned * turned_back(&turned, &spin).component_mul(&model.rotational().moments);
     model.place(to, turned, momentum);
 }

@@ -13,6 +13,7 @@ use nalgebra::Matrix3;
 
 use super::families::{ENGINES, claims};
 use super::semi_implicit::{in_body_axes, move_by};
+use super::small::{gyroscopic_slope, solved};
 use super::{Card, Step, TurningScheme};
 use crate::model::{Broken, Turning};
 
@@ -41,10 +42,9 @@ impl TurningScheme for SemiImplicitEulerImplicitGyro {
         let body = model.rotational();
         let spin = spin + body.inverse_moments.component_mul(&torque) * h; // (1)
         let momentum = body.moments.component_mul(&spin);
-        let inertia = Matrix3::from_diagonal(&body.moments);
         let left = spin.cross(&momentum) * h; // (2)
-        let slope = inertia + (spin.cross_matrix() * inertia - momentum.cross_matrix()) * h;
-        let change = slope.lu().solve(&left).ok_or(Broken::Singular)?;
+        let slope = Matrix3::from_diagonal(&body.moments) + gyroscopic_slope(&spin, &body.moments) * h;
+        let change = solved(slope, left).ok_or(Broken::Singular)?;
         move_by(model, h, from, &k0, &(spin - change), to); // (3), (4)
         Ok(())
     }

@@ -14,7 +14,7 @@ use super::vector_form::hold;
 use super::{Card, Step, TurningScheme};
 use crate::arithmetic::Real;
 use crate::model::{Broken, Turning};
-use crate::rotation::{renormalized, turn};
+use crate::rotation::{renormalized, turn, turned_back};
 
 /// Simo and Wong’s algorithm.
 #[derive(Clone, Copy, Debug)]
@@ -44,7 +44,7 @@ impl TurningScheme for SimoWong {
         let mut k1 = k0;
         to.clone_from(from);
         until_settled(model, || {
-            let body_spin1 = model.attitude(to).inverse_transform_vector(&model.spin_of(&k1));
+            let body_spin1 = turned_back(&model.attitude(to), &model.spin_of(&k1));
             let mean_spin = (model.spin_of(&k0) + attitude0 * body_spin1) / M::Real::of(2.0);
             let attitude1 = renormalized(turn(&(mean_spin * h)) * attitude0); // (1)
             std::mem::swap(to, before);

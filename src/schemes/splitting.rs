@@ -28,7 +28,7 @@ pub(super) fn kick_turn_kick<M: Turning>(
     to.clone_from(from);
     model.kick(to, h / 2.0, &first); // (1)
     let (attitude, momentum) = (model.attitude(to), model.momentum(to));
-    let q = turn(model.rotational(), &attitude.inverse_transform_vector(&momentum), h)?;
+    let q = turn(model.rotational(), &rotation::turned_back(&attitude, &momentum), h)?;
     model.place(to, rotation::renormalized(attitude * q), momentum); // (2)
     model.drift(to, h); // (2)
     let last = model.rates(t + h, to)?;

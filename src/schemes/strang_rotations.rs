@@ -33,12 +33,12 @@ pub(super) fn free_turn<T: Real>(
     momentum: &Vector3<T>,
     h: T,
 ) -> Result<Rotation<T>, Broken> {
-    let (mut q, mut l) = (Rotation::identity(), *momentum);
+    let (mut q, mut l) = (rotation::identity(), *momentum);
     for (axis, part) in [(0, 0.5), (1, 0.5), (2, 1.0), (1, 0.5), (0, 0.5)] {
         let angle = h * part * l[axis] * rotational.inverse_moments[axis];
-        let turn = rotation::turn(&Vector3::ith(axis, angle));
+        let turn = rotation::turn(&rotation::along(axis, angle));
         q *= turn; // (1)
-        l = turn.inverse_transform_vector(&l); // (2)
+        l = rotation::turned_back(&turn, &l); // (2)
     }
     Ok(q)
 }

@@ -42,12 +42,12 @@ fn free_turn<T: Real>(
     let [low, b, high] = order;
     let high_is_farther = inverse[high] - inverse[b] > inverse[b] - inverse[low];
     let (a, c) = if high_is_farther { (low, high) } else { (high, low) };
-    let rest = |l: &Vector3<T>| Vector3::ith(a, h * 0.5 * (inverse[a] - inverse[b]) * l[a]); // (3)
+    let rest = |l: &Vector3<T>| rotation::along(a, h * 0.5 * (inverse[a] - inverse[b]) * l[a]); // (3)
 
     let before = rotation::turn(&rest(momentum));
-    let l = before.inverse_transform_vector(momentum);
-    let own = Vector3::ith(c, h * (inverse[c] - inverse[b]) * l[c]);
+    let l = rotation::turned_back(&before, momentum);
+    let own = rotation::along(c, h * (inverse[c] - inverse[b]) * l[c]);
     let top = rotation::turn(&(l * (h * inverse[b]))) * rotation::turn(&own); // (2)
-    let l = top.inverse_transform_vector(&l);
+    let l = rotation::turned_back(&top, &l);
     Ok(before * top * rotation::turn(&rest(&l)))
 }

@@ -10,6 +10,7 @@ use crate::model::Turning;
 use crate::rotation::Rotation;
 
 /// dq/dt = ½ Ω q, Ω in world axes as the quaternion (0, Ω).
+#[inline]
 pub(super) fn quaternion_rate<T: Real>(spin: &Vector3<T>, q: &Quaternion<T>) -> Quaternion<T> {
     Quaternion::from_imag(*spin) * q * T::of(0.5)
 }

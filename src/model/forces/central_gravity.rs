@@ -38,6 +38,7 @@ pub(super) fn pull<T: Real>(mu: T, mass: T, d: &Vector3<T>) -> Vector3<T> {
 }
 
 impl<T: Real> CentralGravity<T> {
+    #[inline]
     fn force(&self, mass: T, position: &Vector3<T>) -> Vector3<T> {
         pull(self.mu, mass, &(position - self.center))
     }
@@ -102,9 +103,10 @@ impl<T: Real> ForceLaw<T> for CentralGravity<T> {
 }
 
 impl<T: Real> ReducedLaw<T> for Reduced<T> {
+    #[inline]
     fn add(&self, _t: T, pose: &Pose<T>, load: &mut Load<T>) {
         for point in &self.points {
-            let arm = pose.axes * point.position;
+            let arm = pose.in_world(&point.position);
             load.push(&arm, &self.law.force(point.mass, &(pose.origin + arm)));
         }
     }

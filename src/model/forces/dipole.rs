@@ -26,8 +26,9 @@ parameters! {
 pub(super) struct Reduced<T: Real = f64>(Dipole<T>);
 
 impl<T: Real> Dipole<T> {
+    #[inline]
     fn torque(&self, axes: &Matrix3<T>) -> Vector3<T> {
-        (axes * self.moment).cross(&self.field)
+        rotation::applied(axes, &self.moment).cross(&self.field)
     }
 }
 
@@ -87,6 +88,7 @@ impl<T: Real> ForceLaw<T> for Dipole<T> {
 }
 
 impl<T: Real> ReducedLaw<T> for Reduced<T> {
+    #[inline]
     fn add(&self, _t: T, pose: &Pose<T>, load: &mut Load<T>) {
         load.torque += self.0.torque(&pose.axes);
     }

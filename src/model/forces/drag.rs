@@ -13,6 +13,7 @@ use super::pose::each_point;
 use super::{Cloud, Load, PerPoint, Pose, tensor_to_principal, to_principal};
 use crate::arithmetic::Real;
 use crate::model::body::{Body, second_moment_inertia};
+use crate::rotation;
 
 parameters! {
     /// F_k = −c_k U_k.
@@ -99,11 +100,12 @@ impl<T: Real> ForceLaw<T> for Drag<T> {
 }
 
 impl<T: Real> ReducedLaw<T> for Reduced<T> {
+    #[inline]
     fn add(&self, _t: T, pose: &Pose<T>, load: &mut Load<T>) {
-        let first = pose.axes * self.first;
+        let first = pose.in_world(&self.first);
         let spin = pose.axes.tr_mul(&pose.spin);
         load.force -= pose.velocity * self.total + pose.spin.cross(&first);
-        load.torque -= first.cross(&pose.velocity) + pose.axes * (self.second * spin);
+        load.torque -= first.cross(&pose.velocity) + pose.in_world(&rotation::applied(&self.second, &spin));
     }
 }
 

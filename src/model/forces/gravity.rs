@@ -86,8 +86,9 @@ impl<T: Real> ForceLaw<T> for Gravity<T> {
 }
 
 impl<T: Real> ReducedLaw<T> for Reduced<T> {
+    #[inline]
     fn add(&self, _t: T, pose: &Pose<T>, load: &mut Load<T>) {
-        load.push(&(pose.axes * self.center), &self.weight);
+        load.push(&pose.in_world(&self.center), &self.weight);
     }
 }
 

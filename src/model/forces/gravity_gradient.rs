@@ -33,13 +33,15 @@ pub(super) struct Reduced<T: Real = f64> {
 }
 
 impl<T: Real> GravityGradient<T> {
+    #[inline]
     fn direction_at(&self, t: T) -> Vector3<T> {
         rotation::turn(&(self.normal * (self.rate * t))) * self.direction
     }
 
+    #[inline]
     fn torque(&self, t: T, inertia: &Matrix3<T>) -> Vector3<T> {
         let r = self.direction_at(t);
-        r.cross(&(inertia * r)) * (self.mu_over_r3 * 3.0)
+        r.cross(&rotation::applied(inertia, &r)) * (self.mu_over_r3 * 3.0)
     }
 }
 
@@ -100,10 +102,11 @@ impl<T: Real> ForceLaw<T> for GravityGradient<T> {
 }
 
 impl<T: Real> ReducedLaw<T> for Reduced<T> {
+    #[inline]
     fn add(&self, t: T, pose: &Pose<T>, load: &mut Load<T>) {
         let r = self.law.direction_at(t);
         let along = pose.axes.tr_mul(&r).component_mul(&self.moments);
-        load.torque += r.cross(&(pose.axes * along)) * (self.law.mu_over_r3 * 3.0);
+        load.torque += r.cross(&pose.in_world(&along)) * (self.law.mu_over_r3 * 3.0);
     }
 }
 

@@ -40,6 +40,7 @@ pub(super) struct Reduced<T: Real = f64> {
 }
 
 impl<T: Real> Ground<T> {
+    #[inline]
     fn force(&self, position: &Vector3<T>, velocity: &Vector3<T>) -> Vector3<T> {
         let depth = self.height - position.dot(&self.normal);
         if depth <= 0.0 {
@@ -115,9 +116,10 @@ impl<T: Real> ForceLaw<T> for Ground<T> {
 }
 
 impl<T: Real> ReducedLaw<T> for Reduced<T> {
+    #[inline]
     fn add(&self, _t: T, pose: &Pose<T>, load: &mut Load<T>) {
         for point in &self.points {
-            let arm = pose.axes * point;
+            let arm = pose.in_world(point);
             load.push(&arm, &self.law.force(&(pose.origin + arm), &pose.velocity_at(&arm)));
         }
     }

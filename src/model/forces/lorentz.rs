@@ -14,6 +14,7 @@ use super::pose::{each_point, sum_points};
 use super::{Cloud, Load, PerPoint, Pose, tensor_to_principal, to_principal};
 use crate::arithmetic::Real;
 use crate::model::body::Body;
+use crate::rotation;
 
 parameters! {
     /// F_k = q_k (E(t) + U_k × B), E(t) = electric + electric_cosine cos(ωt) + electric_sine sin(ωt).
@@ -42,11 +43,13 @@ pub(super) struct Reduced<T: Real = f64> {
 }
 
 impl<T: Real> Lorentz<T> {
+    #[inline]
     fn electric_at(&self, t: T) -> Vector3<T> {
         let (sine, cosine) = (self.frequency * t).sin_cos();
         self.electric + self.electric_cosine * cosine + self.electric_sine * sine
     }
 
+    #[inline]
     fn force(&self, t: T, k: usize, velocity: &Vector3<T>) -> Vector3<T> {
         (self.electric_at(t) + velocity.cross(&self.magnetic)) * self.charge.at(k)
     }
@@ -127,13 +130,14 @@ impl<T: Real> ForceLaw<T> for Lorentz<T> {
 }
 
 impl<T: Real> ReducedLaw<T> for Reduced<T> {
+    #[inline]
     fn add(&self, t: T, pose: &Pose<T>, load: &mut Load<T>) {
         let electric = self.law.electric_at(t);
         let magnetic = self.law.magnetic;
-        let first = pose.axes * self.first;
+        let first = pose.in_world(&self.first);
         load.force +=
             electric * self.total + (pose.velocity * self.total + pose.spin.cross(&first)).cross(&magnetic);
-        let second = pose.axes * (self.second * pose.axes.tr_mul(&magnetic));
+        let second = pose.in_world(&rotation::applied(&self.second, &pose.axes.tr_mul(&magnetic)));
         load.torque += first.cross(&(electric + pose.velocity.cross(&magnetic))) + pose.spin.cross(&second);
     }
 }

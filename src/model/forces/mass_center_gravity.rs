@@ -32,6 +32,7 @@ pub(super) struct Reduced<T: Real = f64> {
 }
 
 impl<T: Real> MassCenterGravity<T> {
+    #[inline]
     fn force(&self, mass: T, position: &Vector3<T>) -> Vector3<T> {
         central_gravity::pull(self.mu, mass, &(position - self.center))
     }
@@ -93,8 +94,9 @@ impl<T: Real> ForceLaw<T> for MassCenterGravity<T> {
 }
 
 impl<T: Real> ReducedLaw<T> for Reduced<T> {
+    #[inline]
     fn add(&self, _t: T, pose: &Pose<T>, load: &mut Load<T>) {
-        let arm = pose.axes * self.arm;
+        let arm = pose.in_world(&self.arm);
         load.push(&arm, &self.law.force(self.mass, &(pose.origin + arm)));
     }
 }

@@ -332,7 +332,12 @@ impl<T: Real> Forces<T> {
     }
 
     /// Force and torque in the reduced form.
+    #[inline]
     pub fn load(&self, t: T, pose: &Pose<T>) -> Load<T> {
+        if self.reduced.is_empty() { Load::default() } else { self.sum(t, pose) }
+    }
+
+    fn sum(&self, t: T, pose: &Pose<T>) -> Load<T> {
         let mut load = Load::default();
         for law in &self.reduced {
             law.add(t, pose, &mut load);

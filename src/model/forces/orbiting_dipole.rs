@@ -40,9 +40,11 @@ parameters! {
 pub(super) struct Reduced<T: Real = f64>(OrbitingDipole<T>);
 
 impl<T: Real> OrbitingDipole<T> {
+    #[inline]
     fn torque(&self, t: T, axes: &Matrix3<T>) -> Vector3<T> {
         let (sine, cosine) = (self.frequency * t).sin_cos();
-        (axes * self.moment).cross(&(self.field + self.field_cosine * cosine + self.field_sine * sine))
+        rotation::applied(axes, &self.moment)
+            .cross(&(self.field + self.field_cosine * cosine + self.field_sine * sine))
     }
 
     fn is_static(&self) -> bool {
@@ -107,6 +109,7 @@ impl<T: Real> ForceLaw<T> for OrbitingDipole<T> {
 }
 
 impl<T: Real> ReducedLaw<T> for Reduced<T> {
+    #[inline]
     fn add(&self, t: T, pose: &Pose<T>, load: &mut Load<T>) {
         load.torque += self.0.torque(t, &pose.axes);
     }

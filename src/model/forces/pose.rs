@@ -1,15 +1,25 @@
 //! What laws are told of a body in motion, and what they answer.
 
-use crate::arithmetic::Real;
 use nalgebra::{Matrix3, Vector3};
 
+use crate::arithmetic::Real;
+use crate::rotation;
+
 /// Force and torque about the origin.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Load<T: Real = f64> {
     /// F [N], world.
     pub force: Vector3<T>,
     /// τ about the origin [N m], world.
     pub torque: Vector3<T>,
+}
+
+impl<T: Real> Default for Load<T> {
+    /// Neither force nor torque.
+    #[inline]
+    fn default() -> Load<T> {
+        Load { force: rotation::zero(), torque: rotation::zero() }
+    }
 }
 
 impl<T: Real> Load<T> {
@@ -35,6 +45,12 @@ pub struct Pose<T: Real = f64> {
 }
 
 impl<T: Real> Pose<T> {
+    /// A vector about principal axes, in world axes.
+    #[inline]
+    pub fn in_world(&self, v: &Vector3<T>) -> Vector3<T> {
+        rotation::applied(&self.axes, v)
+    }
+
     /// Velocity of the body point at `arm` from the origin, U + Ω × arm [m/s].
     #[inline]
     pub fn velocity_at(&self, arm: &Vector3<T>) -> Vector3<T> {

@@ -25,8 +25,9 @@ pub(super) struct Reduced<T: Real = f64>(RotationalDamping<T>);
 
 impl<T: Real> RotationalDamping<T> {
     /// τ [N m], world; `axes` takes the axes that C is given in to world axes.
+    #[inline]
     fn torque(&self, axes: &Matrix3<T>, spin: &Vector3<T>) -> Vector3<T> {
-        -(axes * (self.coefficients * axes.tr_mul(spin)))
+        -rotation::applied(axes, &rotation::applied(&self.coefficients, &axes.tr_mul(spin)))
     }
 }
 
@@ -88,6 +89,7 @@ impl<T: Real> ForceLaw<T> for RotationalDamping<T> {
 }
 
 impl<T: Real> ReducedLaw<T> for Reduced<T> {
+    #[inline]
     fn add(&self, _t: T, pose: &Pose<T>, load: &mut Load<T>) {
         load.torque += self.0.torque(&pose.axes, &pose.spin);
     }

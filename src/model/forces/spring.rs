@@ -137,8 +137,9 @@ impl<T: Real> ForceLaw<T> for Spring<T> {
 }
 
 impl<T: Real> ReducedLaw<T> for Reduced<T> {
+    #[inline]
     fn add(&self, _t: T, pose: &Pose<T>, load: &mut Load<T>) {
-        let arm = pose.axes * self.arm;
+        let arm = pose.in_world(&self.arm);
         load.push(&arm, &self.spring.force(&(pose.origin + arm), &pose.velocity_at(&arm)));
     }
 }

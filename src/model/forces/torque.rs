@@ -55,12 +55,13 @@ pub(super) struct Reduced<T: Real = f64>(Torque<T>);
 
 impl<T: Real> Torque<T> {
     /// τ [N m], world; `axes` takes the axes that a body torque is given in to world axes.
+    #[inline]
     fn torque(&self, t: T, axes: &Matrix3<T>) -> Vector3<T> {
         let (sine, cosine) = (self.frequency * t).sin_cos();
         let torque = self.constant + self.cosine * cosine + self.sine * sine;
         match self.axes {
             TorqueAxes::World => torque,
-            TorqueAxes::Body => axes * torque,
+            TorqueAxes::Body => rotation::applied(axes, &torque),
         }
     }
 }
@@ -129,6 +130,7 @@ impl<T: Real> ForceLaw<T> for Torque<T> {
 }
 
 impl<T: Real> ReducedLaw<T> for Reduced<T> {
+    #[inline]
     fn add(&self, t: T, pose: &Pose<T>, load: &mut Load<T>) {
         load.torque += self.0.torque(t, &pose.axes);
     }

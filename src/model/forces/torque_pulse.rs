@@ -35,11 +35,12 @@ pub(super) struct Reduced<T: Real = f64>(TorquePulse<T>);
 
 impl<T: Real> TorquePulse<T> {
     /// τ [N m], world; `axes` takes the axes that a body torque is given in to world axes.
+    #[inline]
     fn torque(&self, t: T, axes: &Matrix3<T>) -> Vector3<T> {
         match self.axes {
             _ if !(self.start <= t && t < self.end) => Vector3::zeros(),
             TorqueAxes::World => self.torque,
-            TorqueAxes::Body => axes * self.torque,
+            TorqueAxes::Body => rotation::applied(axes, &self.torque),
         }
     }
 }
@@ -106,6 +107,7 @@ impl<T: Real> ForceLaw<T> for TorquePulse<T> {
 }
 
 impl<T: Real> ReducedLaw<T> for Reduced<T> {
+    #[inline]
     fn add(&self, t: T, pose: &Pose<T>, load: &mut Load<T>) {
         load.torque += self.0.torque(t, &pose.axes);
     }

@@ -33,8 +33,9 @@ parameters! {
 pub(super) struct Reduced<T: Real = f64>(Wheels<T>);
 
 impl<T: Real> Wheels<T> {
+    #[inline]
     fn torque(&self, axes: &Matrix3<T>, spin: &Vector3<T>) -> Vector3<T> {
-        (axes * self.momentum).cross(spin)
+        rotation::applied(axes, &self.momentum).cross(spin)
     }
 }
 
@@ -93,6 +94,7 @@ impl<T: Real> ForceLaw<T> for Wheels<T> {
 }
 
 impl<T: Real> ReducedLaw<T> for Reduced<T> {
+    #[inline]
     fn add(&self, _t: T, pose: &Pose<T>, load: &mut Load<T>) {
         load.torque += self.0.torque(&pose.axes, &pose.spin);
     }
