@@ -38,7 +38,7 @@ pub(super) struct Options {
     #[arg(long, value_name = "U", value_parser = time_unit)]
     time_unit: Option<TimeUnit>,
     /// Unit of angles where the header says none: rad or deg
-    #[arg(long, value_name = "U", value_parser = angle_unit)]
+    #[arg(long, hide_short_help = true, value_name = "U", value_parser = angle_unit)]
     angle_unit: Option<AngleUnit>,
     /// Euler angles: ZYX about moving axes, zyx about fixed ones
     #[arg(long, hide_short_help = true, value_name = "AXES")]

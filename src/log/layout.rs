@@ -321,9 +321,14 @@ fn one_of_each(names: &[&str], slots: &mut [Option<Slot>]) -> Result<(), String>
         if places.len() < 2 {
             continue;
         }
-        // `Time` beside `header.stamp.secs`.
-        let is_own = |name: &str| name == *own || field == 0 && names::is_time(name, false);
-        let exact: Vec<usize> = places.iter().copied().filter(|place| is_own(names[*place])).collect();
+        let of = |is_own: &dyn Fn(&str) -> bool| -> Vec<usize> {
+            places.iter().copied().filter(|place| is_own(names[*place])).collect()
+        };
+        let mut exact = of(&|name| name == *own);
+        if exact.len() != 1 && field == 0 {
+            // `Time` beside `header.stamp.secs`.
+            exact = of(&|name| names::is_time(name, false));
+        }
         match exact[..] {
             [one] => places.into_iter().filter(|place| *place != one).for_each(|place| slots[place] = None),
             _ => twice.push((*own, places[0], places[1])),

@@ -4,7 +4,7 @@ use super::columns::{Kind, TIMES, meaning};
 use super::units::{factor, take_units};
 
 /// Words of times that are no times of a motion: a step, or what a program takes for it.
-const NO_TIMES: [&str; 7] = ["delta", "step", "cpu", "wall", "solver", "compute", "d"];
+const NO_TIMES: [&str; 7] = ["delta", "step", "cpu", "wall", "solver", "exec", "d"];
 
 /// The axis of a rate p, q or r about body axes, and SI units in the unit that the name states.
 pub(super) fn rate(name: &str) -> Option<(usize, Option<f64>)> {

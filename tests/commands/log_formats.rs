@@ -76,6 +76,8 @@ fn formats_of_many_programs_are_read() {
         // A bag of ROS as a table: two columns more are parts of a time.
         "Time,header.stamp.secs,header.stamp.nsecs,pose.orientation.x,pose.orientation.y,pose.orientation.z,pose.orientation.w\n\
          1564567273.0,1564567273,0,0,0,0,1\n1564567273.5,1564567273,500000000,0,0,SIN,COS\n",
+        // Two names of a time, of which one is the very name.
+        "t,time,qw,qx,qy,qz\n0,7,1,0,0,0\n0.5,7.5,COS,0,0,SIN\n",
         // JSBSim: rates with a unit.
         "Time,Phi (deg),Theta (deg),Psi (deg),P (deg/s),Q (deg/s),R (deg/s)\n0,0,0,0,0,0,57.29577951308232\n\
          0.5,0,0,28.64788975654116,0,0,57.29577951308232\n",
