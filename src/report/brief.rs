@@ -22,6 +22,9 @@ struct Verdicts<'a> {
     schema: &'static str,
     polhode: &'a str,
     made_at: &'a str,
+    /// Whether everything was measured; a file of them is written of a whole survey alone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    complete: Option<bool>,
     verdicts: Cow<'a, [Verdict]>,
 }
 
@@ -53,7 +56,8 @@ pub fn write_brief(
 /// Every verdict with its words, for a program that reads standard output.
 pub fn verdicts_in_json(records: &Records) -> String {
     let Records { polhode, made_at, verdicts, .. } = records;
-    let all = Verdicts { schema: SCHEMA, polhode, made_at, verdicts: Cow::Borrowed(verdicts) };
+    let (complete, verdicts) = (Some(records.complete), Cow::Borrowed(verdicts.as_slice()));
+    let all = Verdicts { schema: SCHEMA, polhode, made_at, complete, verdicts };
     serde_json::to_string_pretty(&all).expect("keys are text") + "\n"
 }
 
@@ -68,6 +72,7 @@ fn verdicts(records: &Records) -> Verdicts<'_> {
         schema: SCHEMA,
         polhode: &records.polhode,
         made_at: &records.made_at,
+        complete: None,
         verdicts: judged.map(short).collect(),
     }
 }

@@ -119,6 +119,7 @@ pub const STATEMENTS: [Statement; 33] = [
             let all = ran.json();
             let rows = all["verdicts"].as_array().expect("rows");
             all["schema"] == "polhode/verdicts/1"
+                && all["complete"] == true
                 && rows.iter().any(|row| row["verdict"] == "fail" && row["rule"].is_string())
         }),
     },
