@@ -1,5 +1,7 @@
 //! `polhode run`: one scheme, one scene, its states.
 
+mod written;
+
 use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
@@ -7,6 +9,7 @@ use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueEnum};
 use serde_json::json;
 
+use self::written::Written;
 use super::output::Force;
 use super::progress::with_bar;
 use super::{Failure, select};
@@ -14,7 +17,6 @@ use crate::arithmetic::{DoubleDouble, Real, Single};
 use crate::campaign;
 use crate::model::{Snapshot, System, SystemError};
 use crate::record::{self, Motion, RunStatus, WholeFile, is_own_json};
-use crate::reference::precise::{self, decimal};
 use crate::report;
 use crate::scenes::Scene;
 use crate::simulate::{Arithmetic, Contestant, Form, Outcome, Plan, Precision};
@@ -216,43 +218,6 @@ fn form(options: &Options, contestant: &Contestant) -> Result<Form, Failure> {
         ModelChoice::Least => Ok(Form::Least),
     }
 }
-
-/// An arithmetic whose numbers are written with all their digits.
-trait Written: Arithmetic {
-    /// The number as CSV has it.
-    fn text(self) -> String;
-
-    /// The number as JSON has it.
-    fn json(self) -> String {
-        if self.is_finite() { self.text() } else { "null".to_owned() }
-    }
-}
-
-impl Written for f64 {
-    fn text(self) -> String {
-        self.to_string()
-    }
-
-    fn json(self) -> String {
-        json!(self).to_string()
-    }
-}
-
-impl Written for Single {
-    fn text(self) -> String {
-        (self.to_f64() as f32).to_string()
-    }
-}
-
-impl Written for DoubleDouble {
-    fn text(self) -> String {
-        let (high, low) = self.parts();
-        decimal::write(precise::DoubleDouble::of_sum(high, low), DIGITS)
-    }
-}
-
-/// Digits of a double-double number.
-const DIGITS: usize = 32;
 
 /// The steps of a run.
 fn plan(options: &Options, scene: &Scene) -> Result<Plan, Failure> {
