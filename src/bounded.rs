@@ -74,10 +74,25 @@ pub fn open(path: &Path) -> io::Result<File> {
 
 /// Why the first bytes of a file are no text, where they are none.
 pub fn no_text(first: &[u8]) -> Option<String> {
-    if first.starts_with(&[0xff, 0xfe]) || first.starts_with(&[0xfe, 0xff]) {
-        return Some("this is text in UTF-16: save the file as UTF-8".to_owned());
+    let marked = first.starts_with(&[0xff, 0xfe]) || first.starts_with(&[0xfe, 0xff]);
+    if let Some(name) = marked.then_some("UTF-16").or_else(|| unmarked(first)) {
+        return Some(format!(
+            "this is text in {name}: save the file as UTF-8, or convert it by iconv -f {name} -t UTF-8"
+        ));
     }
     first.contains(&0).then(|| format!("{NO_TEXT}: it holds zero bytes"))
+}
+
+/// The name of UTF-16 without a byte-order mark: one byte of each pair is zero wherever the letter is one of Latin-1, as most
+/// letters of numbers and names are; the other byte never is.
+fn unmarked(first: &[u8]) -> Option<&'static str> {
+    let pairs = first.chunks_exact(2);
+    let (all, zeros) = (pairs.len(), |of: usize| pairs.clone().filter(|pair| pair[of] == 0).count());
+    match (zeros(0), zeros(1)) {
+        (0, high) if 2 * high > all => Some("UTF-16LE"),
+        (high, 0) if 2 * high > all => Some("UTF-16BE"),
+        _ => None,
+    }
 }
 
 /// The text of a file.
@@ -130,8 +145,12 @@ mod tests {
         assert!(matches!(read(&path, 7), Err(Unread::Content(why)) if why.contains("larger")));
         std::fs::write(&path, "12\u{0}45678").expect("written");
         assert!(matches!(read(&path, 8), Err(Unread::Content(why)) if why.contains("zero")));
-        std::fs::write(&path, b"\xff\xfet\0,\0").expect("written");
-        assert!(matches!(read(&path, 8), Err(Unread::Content(why)) if why.contains("UTF-16")));
+        for (bytes, name) in
+            [(b"\xff\xfet\0,\0", " UTF-16 "), (b"t\0,\0x\0", " UTF-16LE "), (b"\0t\0,\0x", " UTF-16BE ")]
+        {
+            std::fs::write(&path, bytes).expect("written");
+            assert!(matches!(read(&path, 8), Err(Unread::Content(why)) if why.contains(name)), "{name}");
+        }
         assert!(matches!(read(&folder.path().join("none"), 8), Err(Unread::System(_))));
         std::fs::write(&path, b"1\n2\n\xff").expect("written");
         assert!(matches!(text(&path, 8), Err(FileError::Content { line: 3, .. })));

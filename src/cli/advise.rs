@@ -6,6 +6,7 @@ use comfy_table::{ColumnConstraint, ContentArrangement, Table, presets};
 use serde_json::{Value, json};
 
 use super::output::print;
+use super::progress::{with_bar, with_word};
 use super::{Failure, select};
 use crate::scenes::Scene;
 use crate::simulate::Precision;
@@ -63,7 +64,7 @@ tolerance, the smallest error, its scheme and its step are printed.
 
 Exit code: 0 some scheme meets the tolerance, 1 none does, 2 the motion itself is not known well enough to say.";
 
-pub(super) fn advise(options: &Options) -> Result<u8, Failure> {
+pub(super) fn advise(options: &Options, quiet: bool) -> Result<u8, Failure> {
     let quantity = select::quantity(&options.quantity)?;
     if !(options.tolerance > 0.0 && options.tolerance.is_finite()) {
         return Err(Failure::Usage(format!(
@@ -78,7 +79,8 @@ pub(super) fn advise(options: &Options) -> Result<u8, Failure> {
         return Err(Failure::Usage(format!("--duration {duration}: expected a positive number of seconds")));
     }
     let contestants = select::named(&options.schemes)?;
-    let question = match Question::new(&scene, duration, quantity, options.tolerance) {
+    let solved = with_word(quiet, "solving", || Question::new(&scene, duration, quantity, options.tolerance));
+    let question = match solved {
         Ok(question) => question.at(Precision::named(&options.precision).unwrap_or_default()),
         Err(error @ QuestionError::TooFine { .. }) => {
             eprintln!("polhode: {error}");
@@ -86,7 +88,7 @@ pub(super) fn advise(options: &Options) -> Result<u8, Failure> {
         }
         Err(error) => return Err(Failure::Model(error.to_string())),
     };
-    let answers = question.ask(&contestants);
+    let answers = with_bar(quiet, "asking schemes", |progress| question.ask(&contestants, progress));
     let text = match options.format {
         Format::Table => in_words(&scene, &question, &answers, options.top),
         Format::Json => in_json(&scene, &question, &answers),

@@ -3,11 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use serde_json::json;
 
 use super::Failure;
 use super::exit::UNDECIDED;
 use super::measured;
-use super::output::{Force, print};
+use super::output::{Force, Format, print};
 use super::select::Selection;
 use crate::campaign;
 use crate::gates::{self, Baseline};
@@ -32,6 +33,9 @@ pub(super) struct Options {
     /// Who says so [default: the user of the system]
     #[arg(long, value_name = "NAME")]
     by: Option<String>,
+    /// Form of what changes
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
     #[command(flatten)]
     force: Force,
 }
@@ -75,7 +79,11 @@ pub(super) fn bless(options: &Options, quiet: bool) -> Result<u8, Failure> {
         );
         return Ok(UNDECIDED);
     }
-    print(&changes(&records, old.as_ref()))?;
+    let changes = old.as_ref().map(|old| changes(&records, old));
+    print(&match options.format {
+        Format::Text => in_words(&records, changes.as_deref()),
+        Format::Json => in_json(&records, path, changes.as_deref()),
+    })?;
     // A baseline is compared by its evidence: single runs and curves are left out.
     (records.measurements, records.series) = (Vec::new(), Vec::new());
     let replaced = old.map(|old| old.provenance).unwrap_or_default();
@@ -96,17 +104,26 @@ fn provenance(options: &Options) -> Provenance {
     }
 }
 
-/// What the new baseline has otherwise than the old one, a line each.
-fn changes(records: &Records, old: Option<&Records>) -> String {
-    let Some(old) = old else {
+/// What the new baseline has otherwise than the old one, as verdicts against that.
+fn changes(records: &Records, old: &Records) -> Vec<Verdict> {
+    let changed = |verdict: &Verdict| verdict.claim.is_on_record() && verdict.verdict == Ruling::Fail;
+    gates::judge_all(records, &Baseline::from_records(old)).into_iter().filter(changed).collect()
+}
+
+/// The changes, a line each; there are none to a first baseline.
+fn in_words(records: &Records, changes: Option<&[Verdict]>) -> String {
+    let Some(changes) = changes else {
         return format!("{} orders in a first baseline\n", records.orders.len());
     };
-    let verdicts = gates::judge_all(records, &Baseline::from_records(old));
-    let changed = |verdict: &&Verdict| verdict.claim.is_on_record() && verdict.verdict == Ruling::Fail;
-    let changed: Vec<String> = verdicts
-        .iter()
-        .filter(changed)
-        .map(|v| format!("{} in {}, {}: {}\n", v.scheme, v.scene, v.quantity, v.detail))
-        .collect();
-    format!("{}{} changes against the old baseline\n", changed.concat(), changed.len())
+    let line = |v: &Verdict| format!("{} in {}, {}: {}\n", v.scheme, v.scene, v.quantity, v.detail);
+    let lines: String = changes.iter().map(line).collect();
+    format!("{lines}{} changes against the old baseline\n", changes.len())
+}
+
+/// As JSON, schema polhode/bless/1; `changes` is null where the baseline is the first.
+fn in_json(records: &Records, path: &Path, changes: Option<&[Verdict]>) -> String {
+    let (baseline, orders) = (path.display().to_string(), records.orders.len());
+    let answer =
+        json!({ "schema": "polhode/bless/1", "baseline": baseline, "orders": orders, "changes": changes });
+    format!("{answer:#}\n")
 }

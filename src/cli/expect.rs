@@ -7,6 +7,7 @@ use serde_json::json;
 
 use super::exit::UNDECIDED;
 use super::output::print;
+use super::progress::with_word;
 use super::{Failure, select};
 use crate::gates::Baseline;
 use crate::model::Quantity;
@@ -55,7 +56,7 @@ const SAMPLES: usize = 256;
 
 type Row = (Quantity, Result<Expected, Unexpected>);
 
-pub(super) fn expect(options: &Options) -> Result<u8, Failure> {
+pub(super) fn expect(options: &Options, quiet: bool) -> Result<u8, Failure> {
     if !(options.step > 0.0 && options.step.is_finite()) {
         let step = options.step;
         return Err(Failure::Usage(format!("--step {step}: expected a positive number of seconds")));
@@ -67,7 +68,7 @@ pub(super) fn expect(options: &Options) -> Result<u8, Failure> {
         let scheme = contestant.card.name;
         return Err(Failure::Model(format!("{scheme} cannot take {}: {reason}", scene.name)));
     }
-    let bracket = bracket(&scene, &contestant, options.step)?;
+    let bracket = with_word(quiet, "running", || bracket(&scene, &contestant, options.step))?;
     let rows = rows(&scene, &contestant, &bracket, options.step);
     let rows: Vec<Row> =
         rows.into_iter().filter(|(quantity, _)| only.is_none_or(|one| one == *quantity)).collect();

@@ -3,15 +3,16 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
+use serde_json::{Value, json};
 
 use super::Failure;
 use super::exit::UNDECIDED;
-use super::output::print;
+use super::output::{print, try_parent};
 use crate::inspect::{self, Inspection, Stepping, Summary, Verdict, Written};
 use crate::model::Quantity;
 use crate::record;
 use crate::simulate::Contestant;
-use crate::study::advice::Question;
+use crate::study::advice::{Advice, Question};
 
 /// Options of `polhode inspect`.
 #[derive(Args, Clone, Debug)]
@@ -53,13 +54,14 @@ Exit code: 0 every body can exist, 1 some cannot, or a fault has a witness, 2 no
 65 the file is no robot and no scene, 74 it cannot be read or a scene cannot be written.";
 
 pub(super) fn inspect(options: &Options) -> Result<u8, Failure> {
+    try_parent(options.out.as_ref())?;
     let inspection = inspect::inspect(&options.file)?;
     let scenes = inspection.scenes();
     if let Some(folder) = &options.out {
         write(folder, &scenes)?;
     }
     match options.format {
-        Format::Json => print(&format!("{:#}\n", inspection.to_json()))?,
+        Format::Json => print(&in_json(&inspection, &scenes))?,
         Format::Text => print(&in_words(&inspection, &scenes, options))?,
     }
     Ok(match () {
@@ -137,14 +139,24 @@ fn short(value: f64) -> String {
 
 fn stepping_in_words(stepping: &Stepping, scenes: &[Written]) -> String {
     let given = if stepping.step_given { "" } else { ", the default of the format" };
-    let mut text = format!("\nintegrator: {}; step {} s{given}\n", stepping.integrator, stepping.step);
-    if let Some((written, scheme)) = fastest(scenes).zip(stepping.scheme) {
-        text += &match advice(written, scheme, stepping.step) {
-            Ok(words) => format!("  {words}\n"),
-            Err(why) => format!("  advise: no answer for {}: {why}\n", written.body),
+    let text = format!("\nintegrator: {}; step {} s{given}\n", stepping.integrator, stepping.step);
+    text + &match advice(stepping, scenes) {
+        None => String::new(),
+        Some(Ok(advised)) => format!("  {}\n", advised.in_words()),
+        Some(Err((body, why))) => format!("  advise: no answer for {body}: {why}\n"),
+    }
+}
+
+/// The inspection as JSON, with what `advise` measures for the stepping of the file.
+fn in_json(inspection: &Inspection, scenes: &[Written]) -> String {
+    let mut found = inspection.to_json();
+    if let Some(advice) = inspection.stepping.as_ref().and_then(|stepping| advice(stepping, scenes)) {
+        found["stepping"]["advice"] = match advice {
+            Ok(advised) => advised.in_json(),
+            Err((body, why)) => json!({ "body": body, "why": why }),
         };
     }
-    text
+    format!("{found:#}\n")
 }
 
 /// The body whose free motion changes fastest: the largest (I₃ − I₁)/I₂ of those with three moments above zero.
@@ -160,8 +172,29 @@ fn fastest(scenes: &[Written]) -> Option<&Written> {
         .max_by(|a, b| spread(a).total_cmp(&spread(b)))
 }
 
-/// What the study `advice` measures for the nearest scheme at the step of the file.
-fn advice(written: &Written, scheme: &str, step: f64) -> Result<String, String> {
+/// What the study `advice` measures for the nearest scheme, for one body that moves freely.
+struct Advised<'a> {
+    body: &'a str,
+    scheme: &'a str,
+    /// Duration of the run [s].
+    duration: f64,
+    /// At the step of the file, or the nearest that divides the duration.
+    at: Advice,
+    /// The largest step whose orientation stays within [`TOLERANCE`] [s].
+    largest: Option<f64>,
+}
+
+/// That of the body whose free motion changes fastest, at the step of the file; `None` where no body or no scheme is known, and the body with
+/// the reason where there is no answer.
+fn advice<'a>(
+    stepping: &'a Stepping,
+    scenes: &'a [Written],
+) -> Option<Result<Advised<'a>, (&'a str, String)>> {
+    let (written, scheme) = fastest(scenes).zip(stepping.scheme)?;
+    Some(advised(written, scheme, stepping.step).map_err(|why| (written.body.as_str(), why)))
+}
+
+fn advised<'a>(written: &'a Written, scheme: &'a str, step: f64) -> Result<Advised<'a>, String> {
     let contestant = Contestant::everyone()
         .into_iter()
         .find(|contestant| contestant.card.name == scheme)
@@ -170,20 +203,41 @@ fn advice(written: &Written, scheme: &str, step: f64) -> Result<String, String> 
     let question = Question::new(scene, scene.duration, Quantity::Orientation, TOLERANCE)
         .map_err(|error| error.to_string())?;
     let at = question.at_step(&contestant, step).map_err(|error| error.to_string())?;
-    let within = match question.ask(&[contestant]).answers.first().map(|answer| &answer.found) {
-        Some(Ok(advice)) => format!("{:.1e} s is the largest step within {TOLERANCE:e} rad", advice.step),
-        _ => format!("no step was found that stays within {TOLERANCE:e} rad"),
-    };
-    Ok(format!(
-        "advise: {} alone, free at 3.7 rad/s for {} s, by {scheme} (the nearest scheme of the list)\n  \
-         at {:.4e} s: off by up to {:.1e} rad, energy {:+.1e}{}; {within}",
-        written.body,
-        scene.duration,
-        at.step,
-        at.error,
-        at.energy,
-        if at.stable { "" } else { ", not stable" },
-    ))
+    let answers = question.ask(&[contestant], &|_, _| ()).answers;
+    let largest = answers.first().and_then(|answer| Some(answer.found.as_ref().ok()?.step));
+    Ok(Advised { body: &written.body, scheme, duration: scene.duration, at, largest })
+}
+
+impl Advised<'_> {
+    fn in_words(&self) -> String {
+        let Advised { body, scheme, duration, at, largest } = self;
+        let within = match largest {
+            Some(step) => format!("{step:.1e} s is the largest step within {TOLERANCE:e} rad"),
+            None => format!("no step was found that stays within {TOLERANCE:e} rad"),
+        };
+        format!(
+            "advise: {body} alone, free at 3.7 rad/s for {duration} s, by {scheme} (the nearest scheme of the list)\n  \
+             at {:.4e} s: off by up to {:.1e} rad, energy {:+.1e}{}; {within}",
+            at.step,
+            at.error,
+            at.energy,
+            if at.stable { "" } else { ", not stable" },
+        )
+    }
+
+    fn in_json(&self) -> Value {
+        json!({
+            "body": self.body,
+            "scheme": self.scheme,
+            "duration_s": self.duration,
+            "step_s": self.at.step,
+            "orientation_error_max_rad": self.at.error,
+            "energy_error": self.at.energy,
+            "stable": self.at.stable,
+            "tolerance_rad": TOLERANCE,
+            "largest_step_s": self.largest,
+        })
+    }
 }
 
 /// Largest error of the orientation that is asked for [rad].

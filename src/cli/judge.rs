@@ -1,5 +1,7 @@
 //! `polhode judge`: a trajectory that another program wrote.
 
+mod json;
+
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -8,8 +10,12 @@ use comfy_table::{ContentArrangement, Table, presets};
 
 use super::Failure;
 use super::exit::UNDECIDED;
-use super::output::{Force, print};
-use crate::log::{self, AngleUnit, Columns, FileError, Judgement, Request, Said, Sequence, Series, TimeUnit};
+use super::output::{Force, Format, print};
+use super::progress::with_word;
+use crate::log::{
+    self, AngleUnit, Columns, Deviation, FileError, Judgement, Request, Said, Sequence, Series, TimeUnit,
+    Verdict,
+};
 use crate::model::Quantity;
 use crate::record::{self, Records, Ruling, SCHEMA};
 use crate::report::line_chart::{Line, LineChart, LinePanel};
@@ -32,7 +38,7 @@ pub(super) struct Options {
     #[arg(long, value_name = "U", value_parser = time_unit)]
     time_unit: Option<TimeUnit>,
     /// Unit of angles where the header says none: rad or deg
-    #[arg(long, value_name = "U", value_parser = angle_unit)]
+    #[arg(long, hide_short_help = true, value_name = "U", value_parser = angle_unit)]
     angle_unit: Option<AngleUnit>,
     /// Euler angles: ZYX about moving axes, zyx about fixed ones
     #[arg(long, hide_short_help = true, value_name = "AXES")]
@@ -64,6 +70,9 @@ pub(super) struct Options {
     /// Write the records
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
+    /// Form of the findings
+    #[arg(long, value_enum, default_value_t, hide_possible_values = true, value_name = "text|json")]
+    format: Format,
     #[command(flatten)]
     force: Force,
 }
@@ -123,7 +132,7 @@ fn quantity(text: &str) -> Result<Quantity, String> {
     Quantity::ALL.into_iter().find(|q| q.name() == text).ok_or(format!("expected one of {names}"))
 }
 
-pub(super) fn judge(options: &Options) -> Result<u8, Failure> {
+pub(super) fn judge(options: &Options, quiet: bool) -> Result<u8, Failure> {
     options.force.try_json(options.json.as_ref())?;
     options.force.try_place(options.errors.as_ref(), |head| head.starts_with(Series::header().trim_end()))?;
     options.force.try_picture(options.plot.as_ref())?;
@@ -131,35 +140,39 @@ pub(super) fn judge(options: &Options) -> Result<u8, Failure> {
         return Err(Failure::Usage("--errors and --plot take one log".to_owned()));
     }
     let scene = Scene::find(&options.scene)?;
-    let judged: Vec<(String, Judgement)> = options
-        .logs
-        .iter()
-        .map(|path| Ok((name_of(path), log::judge(path, &scene, &request(options))?)))
-        .collect::<Result<_, FileError>>()?;
+    let judge = |path: &PathBuf| Ok((name_of(path), log::judge(path, &scene, &request(options))?));
+    let judged: Vec<(String, Judgement)> =
+        with_word(quiet, "judging", || options.logs.iter().map(judge).collect::<Result<_, FileError>>())?;
     if let Some(path) = &options.json {
         record::write_json(path, &records(&judged, &scene))?;
     }
     for (name, judgement) in &judged {
         write_series(options, name, judgement)?;
     }
-    let mut text: String = judged.iter().map(|(name, judgement)| in_words(judgement, &scene, name)).collect();
+    let against = |limit| judged.iter().map(|(_, one)| one.against(options.quantity, limit)).collect();
+    let verdicts: Vec<Verdict> = options.tolerance.map_or_else(Vec::new, against);
+    print(&match options.format {
+        Format::Text => text(&judged, &verdicts, &scene),
+        Format::Json => json::findings(&judged, &verdicts, &scene),
+    })?;
+    Ok(verdicts.iter().fold(0, |code, verdict| match (code, verdict.ruling) {
+        (1, _) | (_, Ruling::Fail) => 1,
+        (code, Ruling::Pass) => code,
+        _ => UNDECIDED,
+    }))
+}
+
+/// Each log, what separates them, and the verdicts at the end.
+fn text(judged: &[(String, Judgement)], verdicts: &[Verdict], scene: &Scene) -> String {
+    let mut text: String = judged.iter().map(|(name, judgement)| in_words(judgement, scene, name)).collect();
     if judged.len() > 1 {
-        text += &deviations(&judged, &scene);
+        text += &deviations(judged, scene);
     }
-    let mut code = 0;
-    for (name, judgement) in &judged {
-        let Some(limit) = options.tolerance else { continue };
-        let verdict = judgement.against(options.quantity, limit);
+    for (verdict, (name, _)) in verdicts.iter().zip(judged) {
         let of = if judged.len() > 1 { format!(" in {name}") } else { String::new() };
         text += &format!("{}{of}\n", verdict.in_words());
-        code = match (code, verdict.ruling) {
-            (1, _) | (_, Ruling::Fail) => 1,
-            (code, Ruling::Pass) => code,
-            _ => UNDECIDED,
-        };
     }
-    print(&text)?;
-    Ok(code)
+    text
 }
 
 fn name_of(path: &Path) -> String {
@@ -217,20 +230,35 @@ fn deviations(judged: &[(String, Judgement)], scene: &Scene) -> String {
         "bounded",
         "common times",
     ]);
-    for (index, (name, judgement)) in judged.iter().enumerate() {
-        for (other_name, other) in &judged[index + 1..] {
-            for quantity in Quantity::ALL {
-                let Some(apart) = judgement.series.deviation(&other.series, &scene.system, quantity) else {
-                    continue;
-                };
-                let numbers =
-                    [apart.largest, apart.secular, apart.bounded].map(|number| format!("{number:.4e}"));
-                let head = [name.clone(), other_name.clone(), quantity.name().into(), quantity.unit().into()];
-                table.add_row(head.into_iter().chain(numbers).chain([apart.times.to_string()]));
-            }
-        }
+    for Pair { log, other, quantity, apart } in pairs(judged, scene) {
+        let numbers = [apart.largest, apart.secular, apart.bounded].map(|number| format!("{number:.4e}"));
+        let head = [log, other, quantity.name(), quantity.unit()].map(str::to_owned);
+        table.add_row(head.into_iter().chain(numbers).chain([apart.times.to_string()]));
     }
     format!("pairwise deviations at common times\n{table}\n")
+}
+
+/// What separates two logs in a quantity.
+struct Pair<'a> {
+    log: &'a str,
+    other: &'a str,
+    quantity: Quantity,
+    apart: Deviation,
+}
+
+/// Every pair of logs in every quantity that both have at common times.
+fn pairs<'a>(judged: &'a [(String, Judgement)], scene: &Scene) -> Vec<Pair<'a>> {
+    let mut pairs = Vec::new();
+    for (index, (log, judgement)) in judged.iter().enumerate() {
+        for (other, others) in &judged[index + 1..] {
+            let of = |quantity| {
+                let apart = judgement.series.deviation(&others.series, &scene.system, quantity)?;
+                Some(Pair { log, other, quantity, apart })
+            };
+            pairs.extend(Quantity::ALL.into_iter().filter_map(of));
+        }
+    }
+    pairs
 }
 
 fn request(options: &Options) -> Request {

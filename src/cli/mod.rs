@@ -33,6 +33,7 @@ mod sweep;
 mod stability;
 
 use std::ffi::OsString;
+use std::io::ErrorKind;
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -136,9 +137,16 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Ok(arguments) => arguments,
         Err(error) => {
             let code = if error.use_stderr() { exit::USAGE } else { 0 };
-            // Nothing can be done about a terminal that takes no text.
-            let _ = error.print();
-            return code;
+            let printed = error.print();
+            return match printed {
+                // Nothing can be done about a stderr that takes no text.
+                Err(source) if code == 0 && source.kind() != ErrorKind::BrokenPipe => {
+                    let failure = Failure::Write { name: "stdout".to_owned(), source };
+                    eprintln!("{}", faults::shown(&failure));
+                    failure.code()
+                }
+                _ => code,
+            };
         }
     };
     match dispatch(arguments) {
@@ -179,12 +187,12 @@ fn dispatch(arguments: Arguments) -> Result<u8, Failure> {
         Command::Init(options) => init::init(&options),
         Command::Compare(options) => compare::compare(&options, everywhere.quiet),
         Command::Run(options) => run::run(&options, everywhere.quiet),
-        Command::Advise(options) => advise::advise(&options),
-        Command::Expect(options) => expect::expect(&options),
+        Command::Advise(options) => advise::advise(&options, everywhere.quiet),
+        Command::Expect(options) => expect::expect(&options, everywhere.quiet),
         Command::Sweep(options) => sweep::sweep(&options, everywhere.quiet),
         Command::Engine(options) => engine::engine(&options, everywhere.quiet),
         Command::Stability(options) => stability::stability(&options, everywhere.quiet),
-        Command::Judge(options) => judge::judge(&options),
+        Command::Judge(options) => judge::judge(&options, everywhere.quiet),
         Command::Inspect(options) => inspect::inspect(&options),
         Command::Reference(options) => reference::reference(&options, everywhere.quiet),
         Command::Replay(options) => replay::replay(&options, everywhere.quiet),

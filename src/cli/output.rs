@@ -38,6 +38,20 @@ impl Force {
     }
 }
 
+/// Refuses a folder that would have to be made in another one that is not there: its name is mistyped.
+pub(super) fn try_parent(folder: Option<&PathBuf>) -> Result<(), Failure> {
+    let missing = |folder: &&PathBuf| {
+        folder.parent().is_some_and(|parent| !parent.as_os_str().is_empty() && !parent.is_dir())
+    };
+    match folder.filter(missing) {
+        Some(folder) => Err(Failure::Write {
+            name: folder.display().to_string(),
+            source: io::Error::new(io::ErrorKind::NotFound, "the folder that it is to be in does not exist"),
+        }),
+        None => Ok(()),
+    }
+}
+
 /// Width of a list where no terminal is narrower.
 const WIDTH: usize = 100;
 

@@ -12,6 +12,9 @@ use crate::campaign::Task;
 /// Time between two lines: below the ten seconds after which a build server may take a program for dead.
 const BETWEEN_LINES: Duration = Duration::from_secs(9);
 
+/// Time between two signs on a terminal that work goes on.
+const BETWEEN_SIGNS: Duration = Duration::from_millis(200);
+
 /// What is done, how much of it, and of how much.
 type State = (&'static str, usize, usize);
 
@@ -24,9 +27,21 @@ pub(super) fn with_bar<T>(
     shown(quiet, what, |tell| work(&|done, all| tell((what, done, all))))
 }
 
+/// Does work that cannot say how far it is, and shows that it goes on unless `quiet`.
+pub(super) fn with_word<T>(quiet: bool, what: &'static str, work: impl FnOnce() -> T) -> T {
+    if quiet || !std::io::stderr().is_terminal() {
+        return shown(quiet, what, |_| work());
+    }
+    let sign = ProgressBar::new_spinner().with_message(what);
+    sign.enable_steady_tick(BETWEEN_SIGNS);
+    let result = work();
+    sign.finish_and_clear();
+    result
+}
+
 /// The same for a survey, whose tasks have a bar each, one after the other.
 pub(super) fn with_tasks<T>(quiet: bool, work: impl FnOnce(&(dyn Fn(Task, usize, usize) + Sync)) -> T) -> T {
-    shown(quiet, "", |tell| {
+    shown(quiet, "measuring", |tell| {
         work(&|task, done, all| {
             if task == Task::Timing && done == 0 && !quiet {
                 eprintln!("polhode: timing steps, one thread");
@@ -41,7 +56,7 @@ fn shown<T>(quiet: bool, what: &'static str, work: impl FnOnce(&(dyn Fn(State) +
         return work(&|_| ());
     }
     if !std::io::stderr().is_terminal() {
-        return with_lines(BETWEEN_LINES, &|line| eprintln!("{line}"), work);
+        return with_lines(BETWEEN_LINES, what, &|line| eprintln!("{line}"), work);
     }
     let style = ProgressStyle::with_template("{prefix} {wide_bar} {pos}/{len}, {eta} left");
     let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
@@ -58,10 +73,11 @@ fn shown<T>(quiet: bool, what: &'static str, work: impl FnOnce(&(dyn Fn(State) +
 /// Says how far the work is, again and again until it is done.
 fn with_lines<T>(
     between: Duration,
+    what: &'static str,
     say: &(dyn Fn(String) + Sync),
     work: impl FnOnce(&(dyn Fn(State) + Sync)) -> T,
 ) -> T {
-    let state: Mutex<State> = Mutex::new(("working", 0, 0));
+    let state: Mutex<State> = Mutex::new((what, 0, 0));
     let read = || *state.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
     let tell = |now: State| *state.lock().unwrap_or_else(std::sync::PoisonError::into_inner) = now;
     std::thread::scope(|scope| {
@@ -69,7 +85,8 @@ fn with_lines<T>(
         let lines = move || {
             while ended.recv_timeout(between) == Err(RecvTimeoutError::Timeout) {
                 let (what, done, all) = read();
-                say(format!("polhode: {what}, {done} of {all}"));
+                let how_far = if all > 0 { format!(", {done} of {all}") } else { String::new() };
+                say(format!("polhode: {what}{how_far}"));
             }
         };
         scope.spawn(lines);
@@ -88,11 +105,12 @@ mod tests {
         let (line, lines) = mpsc::channel();
         let line = Mutex::new(line);
         let say = |text: String| line.lock().expect("a sender").send(text).expect("a receiver");
-        let said = with_lines(Duration::from_millis(1), &say, |tell| {
-            tell(("measuring", 3, 7));
+        let said = with_lines(Duration::from_millis(1), "asking", &say, |tell| {
             // Waits for as long as it takes.
-            lines.iter().find(|text| text.contains("measuring, 3 of 7"))
+            let first = lines.iter().next();
+            tell(("measuring", 3, 7));
+            (first, lines.iter().find(|text| text.contains("measuring, 3 of 7")))
         });
-        assert!(said.is_some());
+        assert_eq!((said.0.as_deref(), said.1.is_some()), (Some("polhode: asking"), true));
     }
 }

@@ -3,9 +3,10 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use serde_json::json;
 
 use super::Failure;
-use super::output::print;
+use super::output::{Format, print};
 use super::progress::with_tasks;
 use super::select;
 use crate::campaign::Survey;
@@ -21,6 +22,9 @@ const SHOWN: usize = 20;
 pub(super) struct Options {
     /// A file that `polhode report --capsule` wrote
     capsule: PathBuf,
+    /// Form of the rows that differ
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
 }
 
 const EXAMPLES: &str = "\
@@ -48,20 +52,40 @@ pub(super) fn replay(options: &Options, quiet: bool) -> Result<u8, Failure> {
     };
     let now = with_tasks(quiet, |progress| Survey { progress, ..survey }.run());
     let differences = capsule.differences(&now);
+    print(&match options.format {
+        Format::Text => in_words(&capsule, &now.polhode, &differences),
+        Format::Json => in_json(&capsule, &now.polhode, &differences),
+    })?;
+    Ok(u8::from(!differences.is_empty()))
+}
+
+fn in_words(capsule: &Capsule, version: &str, differences: &[Difference]) -> String {
     if differences.is_empty() {
-        print(&format!("equal to the bit: {} rows\n", capsule.rows()))?;
-        return Ok(0);
+        return format!("equal to the bit: {} rows\n", capsule.rows());
     }
-    if capsule.polhode != now.polhode {
-        print(&format!("the capsule is of version {}, this is {}\n", capsule.polhode, now.polhode))?;
+    let mut text = String::new();
+    if capsule.polhode != version {
+        text += &format!("the capsule is of version {}, this is {version}\n", capsule.polhode);
     }
-    let lines: String = differences.iter().take(SHOWN).map(line).collect();
-    let more = match differences.len().saturating_sub(SHOWN) {
-        0 => String::new(),
-        count => format!("and {count} more\n"),
-    };
-    print(&format!("{lines}{more}{} of {} rows differ\n", differences.len(), capsule.rows()))?;
-    Ok(1)
+    differences.iter().take(SHOWN).for_each(|one| text += &line(one));
+    match differences.len().saturating_sub(SHOWN) {
+        0 => {}
+        count => text += &format!("and {count} more\n"),
+    }
+    text + &format!("{} of {} rows differ\n", differences.len(), capsule.rows())
+}
+
+/// As JSON, schema polhode/replay/1, with every row that differs as it was and as it is.
+fn in_json(capsule: &Capsule, version: &str, differences: &[Difference]) -> String {
+    let difference = |one: &Difference| json!({ "section": one.section, "row": one.row, "stored": one.stored, "now": one.now });
+    let answer = json!({
+        "schema": "polhode/replay/1",
+        "polhode_of_the_capsule": capsule.polhode,
+        "polhode": version,
+        "rows": capsule.rows(),
+        "differences": differences.iter().map(difference).collect::<Vec<_>>(),
+    });
+    format!("{answer:#}\n")
 }
 
 /// The scene as it was: a built-in one has stored solutions, too.

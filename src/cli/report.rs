@@ -41,8 +41,8 @@ pub(super) struct Options {
     /// Draw this records file; nothing is run
     #[arg(long, value_name = "RECORDS", conflicts_with_all = ["schemes", "places", "named", "full"])]
     from: Option<PathBuf>,
-    /// Print the tables of a paper in this language; no folder is written
-    #[arg(long, value_name = "LANGUAGE", value_parser = ["markdown", "latex"], conflicts_with_all = ["out", "brief", "single_file"])]
+    /// Print the tables of a paper as markdown or latex, or the verdicts as json; no folder is written
+    #[arg(long, value_name = "FORM", hide_possible_values = true, value_parser = ["markdown", "latex", "json"], conflicts_with_all = ["out", "brief", "single_file"])]
     format: Option<String>,
     /// Go on where a killed run into the same folder stopped
     #[arg(long, conflicts_with_all = ["from", "format"])]
@@ -79,9 +79,12 @@ fn survey(options: &Options) -> Result<Survey<'static>, Failure> {
 pub(super) fn report(options: &Options, quiet: bool) -> Result<u8, Failure> {
     options.force.try_json(options.capsule.as_ref())?;
     if let Some(name) = &options.format {
-        let language = if name == "latex" { Language::Latex } else { Language::Markdown };
         let records = records(options, None, quiet)?;
-        print(&report::paper_tables(&records, language))?;
+        print(&match name.as_str() {
+            "json" => report::verdicts_in_json(&records),
+            "latex" => report::paper_tables(&records, Language::Latex),
+            _ => report::paper_tables(&records, Language::Markdown),
+        })?;
         return Ok(gates::exit_code(&records.verdicts));
     }
     let out = folder(options);

@@ -1,19 +1,22 @@
 //! `polhode run`: one scheme, one scene, its states.
 
-use std::io::{self, BufWriter, Write};
+mod written;
+
+use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueEnum};
 use serde_json::json;
 
+use self::written::Written;
 use super::output::Force;
+use super::progress::with_bar;
 use super::{Failure, select};
 use crate::arithmetic::{DoubleDouble, Real, Single};
 use crate::campaign;
 use crate::model::{Snapshot, System, SystemError};
 use crate::record::{self, Motion, RunStatus, WholeFile, is_own_json};
-use crate::reference::precise::{self, decimal};
 use crate::report;
 use crate::scenes::Scene;
 use crate::simulate::{Arithmetic, Contestant, Form, Outcome, Plan, Precision};
@@ -123,7 +126,9 @@ fn run_in<T: Written>(options: &Options, quiet: bool) -> Result<u8, Failure> {
     };
     let heading = heading::<T>(options.format, &scene.name, contestant.card.name, model, &plan);
     let mut writer = StateWriter::new(sink, &system, plan, options.format, heading);
-    let outcome = contestant.stream_in(&system, form, &plan, &mut |snapshot| writer.push(snapshot));
+    // On a terminal the states themselves show how far the run is.
+    let shown = !quiet && (options.out.is_some() || !io::stdout().is_terminal());
+    let outcome = stream((&contestant, form), &mut writer, shown);
     if let Some(reason) = outcome.refusal() {
         return Err(cannot(reason));
     }
@@ -141,6 +146,21 @@ fn run_in<T: Written>(options: &Options, quiet: bool) -> Result<u8, Failure> {
         eprintln!("polhode: {} in {}: {broken}", contestant.card.name, scene.name);
     }
     Ok(u8::from(outcome.broken.is_some()))
+}
+
+/// Runs, and hands over every state as it comes.
+fn stream<T: Written>(
+    (contestant, form): (&Contestant, Form),
+    writer: &mut StateWriter<T>,
+    shown: bool,
+) -> Outcome {
+    let (system, plan) = (writer.system, writer.plan);
+    with_bar(!shown, "running", |progress| {
+        contestant.stream_in(system, form, &plan, &mut |snapshot| {
+            writer.push(snapshot);
+            progress(writer.step as usize, plan.steps as usize);
+        })
+    })
 }
 
 /// States that a picture is drawn from, about: a pixel of a path needs no more.
@@ -199,43 +219,6 @@ fn form(options: &Options, contestant: &Contestant) -> Result<Form, Failure> {
     }
 }
 
-/// An arithmetic whose numbers are written with all their digits.
-trait Written: Arithmetic {
-    /// The number as CSV has it.
-    fn text(self) -> String;
-
-    /// The number as JSON has it.
-    fn json(self) -> String {
-        if self.is_finite() { self.text() } else { "null".to_owned() }
-    }
-}
-
-impl Written for f64 {
-    fn text(self) -> String {
-        self.to_string()
-    }
-
-    fn json(self) -> String {
-        json!(self).to_string()
-    }
-}
-
-impl Written for Single {
-    fn text(self) -> String {
-        (self.to_f64() as f32).to_string()
-    }
-}
-
-impl Written for DoubleDouble {
-    fn text(self) -> String {
-        let (high, low) = self.parts();
-        decimal::write(precise::DoubleDouble::of_sum(high, low), DIGITS)
-    }
-}
-
-/// Digits of a double-double number.
-const DIGITS: usize = 32;
-
 /// The steps of a run.
 fn plan(options: &Options, scene: &Scene) -> Result<Plan, Failure> {
     let duration = options.duration.unwrap_or(scene.duration);
@@ -269,6 +252,8 @@ struct StateWriter<'a, T: Written> {
     system: &'a System<T>,
     plan: Plan,
     count: u64,
+    /// Step of the last state.
+    step: u64,
     /// Largest |Ω| of the states [rad/s].
     fastest: f64,
     failed: Option<io::Error>,
@@ -302,7 +287,7 @@ impl<'a, T: Written> StateWriter<'a, T> {
         format: Format,
         heading: String,
     ) -> StateWriter<'a, T> {
-        StateWriter { sink, system, plan, count: 0, fastest: 0.0, failed: None, format, heading }
+        StateWriter { sink, system, plan, count: 0, step: 0, fastest: 0.0, failed: None, format, heading }
     }
 
     fn open(&mut self) -> io::Result<()> {
@@ -311,6 +296,7 @@ impl<'a, T: Written> StateWriter<'a, T> {
 
     /// Takes a state; the failure of a sink is reported at the end.
     fn push(&mut self, snapshot: &Snapshot<T>) {
+        self.step = (snapshot.time.to_f64() / self.plan.step).round() as u64;
         if self.failed.is_none()
             && let Err(error) = self.write(snapshot)
         {
@@ -323,7 +309,7 @@ impl<'a, T: Written> StateWriter<'a, T> {
 
     fn write(&mut self, s: &Snapshot<T>) -> io::Result<()> {
         self.open()?;
-        let step = (s.time.to_f64() / self.plan.step).round() as u64;
+        let step = self.step;
         let q = s.orientation.quaternion();
         let attitude = [q.w, q.i, q.j, q.k];
         let (kinetic, potential) = (self.system.kinetic_energy(s), self.system.potential_energy(s));

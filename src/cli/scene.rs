@@ -7,6 +7,7 @@ use clap::{Args, Subcommand};
 
 use super::Failure;
 use super::output::{Force, print};
+use super::select::OneScene;
 use crate::record::WholeFile;
 use crate::scenes::{self, Scene};
 
@@ -21,8 +22,8 @@ pub(super) struct Options {
 enum What {
     /// Print the file of a scene, and on stderr what follows from it
     Show {
-        /// Built-in name or TOML file
-        scene: String,
+        #[command(flatten)]
+        scene: OneScene,
     },
     /// Write a commented scene file, and beside it the JSON Schema for editors
     #[command(after_help = EXAMPLES)]
@@ -47,7 +48,7 @@ const SCHEMA: &str = "scene.schema.json";
 
 pub(super) fn scene(options: &Options, quiet: bool) -> Result<u8, Failure> {
     match &options.what {
-        What::Show { scene } => show(scene, quiet),
+        What::Show { scene } => show(scene.name(), quiet),
         What::New { name, from, force } => new(name, from.as_deref(), *force, quiet),
     }
 }

@@ -9,7 +9,7 @@ use comfy_table::{Table, presets};
 
 use super::Failure;
 use super::output::{Format, print};
-use super::progress::with_bar;
+use super::progress::{with_bar, with_word};
 use crate::scenes::random::{self, Family};
 use crate::self_test::random::Finding;
 use crate::self_test::{self, Findings, Outcome};
@@ -19,7 +19,7 @@ use crate::self_test::{self, Findings, Outcome};
 #[command(after_help = EXAMPLES)]
 pub(super) struct Options {
     /// Judge correct schemes in this many random scenes instead: none may fail
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     random: Option<u64>,
     /// Seed of the random scenes
     #[arg(long, value_name = "S", default_value_t = 1)]
@@ -128,7 +128,8 @@ fn judge_random_scenes(
         print(&random_summary(seed, &findings))?;
     }
     let scenes = count.div_ceil(SCENES_FOR_A_WRONG_ORDER);
-    let wrong_orders = (families == [Family::Ordinary]).then(|| self_test::power::run(seed, scenes));
+    let judge_wrong = || with_word(quiet, "judging wrong orders", || self_test::power::run(seed, scenes));
+    let wrong_orders = (families == [Family::Ordinary]).then(judge_wrong);
     match (format, &wrong_orders) {
         (Format::Text, Some(rows)) => print(&power_summary(scenes, rows))?,
         (Format::Text, None) => {}

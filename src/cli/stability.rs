@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::Failure;
-use super::output::{Force, Format, print};
+use super::output::{Force, Format, print, try_parent};
 use super::progress::with_bar;
 use super::resume::with_journal;
 use super::select::Selection;
@@ -85,6 +85,7 @@ pub(super) fn stability(options: &Options, quiet: bool) -> Result<u8, Failure> {
             (options.selection.scenes()?, options.selection.contestants(all)?)
         }
     };
+    try_parent(options.out.as_ref())?;
     let out = options.out.clone().unwrap_or_else(|| options.selection.folder("latest").join("stability"));
     match &options.store {
         Some(_) => options.force.try_json(options.store.as_ref())?,

@@ -1,10 +1,13 @@
-//! `polhode sweep`: one scene with its numbers varied, as tidy CSV and as a picture.
+//! `polhode sweep`: one scene with its numbers varied, as a tidy table and as a picture.
+
+mod table;
 
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
 use super::output::{Force, print};
+use super::progress::with_bar;
 use super::resume::with_journal;
 use super::{Failure, select};
 use crate::campaign;
@@ -39,7 +42,10 @@ pub(super) struct Options {
     /// What the picture shows
     #[arg(long, value_enum, default_value_t = Shown::Error)]
     show: Shown,
-    /// File for the CSV instead of stdout; the picture goes beside it
+    /// Form of the table
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+    /// File for the table instead of stdout; the picture goes beside it
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     /// File for the picture
@@ -50,6 +56,15 @@ pub(super) struct Options {
     resume: bool,
     #[command(flatten)]
     force: Force,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, ValueEnum)]
+enum Format {
+    /// A line a row
+    #[default]
+    Csv,
+    /// An object a row
+    Json,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
@@ -91,15 +106,19 @@ pub(super) fn sweep(options: &Options, quiet: bool) -> Result<u8, Failure> {
         return Err(Failure::Usage(format!("{runs} runs are too many: {MOST_RUNS} at most")));
     }
     let picture = options.plot.clone().or(options.out.as_ref().map(|path| path.with_extension("png")));
-    let own_table = |head: &str| head.starts_with("scheme,") && head.contains(",step_s,steps,status,why,");
+    let own_csv = |head: &str| head.starts_with("scheme,") && head.contains(",step_s,steps,status,why,");
+    let own_table = |head: &str| own_csv(head) || record::is_own_json(head);
     options.force.try_place(options.out.as_ref(), own_table)?;
     options.force.try_picture(picture.as_ref())?;
     if !quiet {
         eprintln!("polhode: {runs} runs of {} under {}", scene.name, options.schemes.join(", "));
     }
     with_journal(options.out.as_deref(), (options.resume, options.force, quiet), |journal| {
-        let rows = sweep.run(&contestants, journal);
-        let text = csv(&sweep, &rows);
+        let rows = with_bar(quiet, "running", |progress| sweep.run(&contestants, journal, progress));
+        let text = match options.format {
+            Format::Csv => table::csv(&sweep, &rows),
+            Format::Json => table::json(&scene.name, &sweep, &rows),
+        };
         match &options.out {
             Some(path) => record::write_whole(path, text.as_bytes())?,
             None => print(&text)?,
@@ -188,39 +207,6 @@ fn text_of(name: &str) -> Result<String, Failure> {
         return Ok((*text).to_owned());
     }
     std::fs::read_to_string(name).map_err(|source| Failure::Write { name: name.to_owned(), source })
-}
-
-fn csv(sweep: &Sweep, rows: &[Row]) -> String {
-    let quantity = sweep.quantity.name().replace('-', "_");
-    let unit = sweep.quantity.unit().replace(' ', "_").replace('²', "2").replace('/', "_");
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    let mut header = vec!["scheme".to_owned()];
-    // The step that was taken has a column of its own.
-    header.extend(
-        sweep.axes.iter().map(
-            |axis| {
-                if axis.key == STEP { "step_asked_s".to_owned() } else { axis.key.clone() }
-            },
-        ),
-    );
-    header.extend(["step_s", "steps", "status", "why"].map(str::to_owned));
-    header.extend([
-        format!("{quantity}_error_{unit}"),
-        "energy_change".to_owned(),
-        "force_evaluations".to_owned(),
-    ]);
-    writer.write_record(&header).expect("a vector takes every row");
-    let number = |value: Option<f64>| value.map_or(String::new(), |value| value.to_string());
-    for row in rows {
-        let mut fields = vec![row.scheme.clone()];
-        fields.extend(row.values.iter().map(f64::to_string));
-        fields.extend([row.step.to_string(), row.steps.to_string(), row.status.to_string()]);
-        fields.extend([row.why.clone().unwrap_or_default(), number(row.error), number(row.energy)]);
-        fields.push(row.evaluations.to_string());
-        writer.write_record(&fields).expect("rows are of one length");
-    }
-    let bytes = writer.into_inner().expect("a vector takes every byte");
-    String::from_utf8(bytes).expect("CSV of UTF-8 fields is UTF-8")
 }
 
 /// The number of a row that is drawn.

@@ -4,6 +4,7 @@
 //! letter, is the component; what is left says the quantity. Formats that have names of their own (EuRoC, AirSim, 42, Basilisk, the NASA
 //! check cases, MuJoCo, Drake, ROS) are covered by these words.
 
+use super::names::{without_bracket, words_of};
 use super::units::{factor, take_units};
 
 /// A quantity that a column may be of.
@@ -51,7 +52,7 @@ pub(super) struct Meaning {
     pub scalar_last: bool,
 }
 
-const TIMES: [&str; 10] =
+pub(super) const TIMES: [&str; 10] =
     ["t", "time", "timestamp", "timestamps", "stamp", "simtime", "elapsed", "seconds", "secs", "sec"];
 const ABOUT_TIME: [&str; 9] = ["sim", "unix", "utc", "epoch", "header", "field", "ros", "simulation", "abs"];
 /// Words of columns that are no state: a bias, an acceleration, a force.
@@ -80,14 +81,44 @@ const OTHERS: [&str; 23] = [
     "gravity",
     "momentum",
 ];
-const SPINS: [&str; 14] = [
-    "w", "omega", "om", "angvel", "gyro", "angular", "wbn", "wn", "wb", "spin", "angrate", "rotvel", "rates",
+const SPINS: [&str; 15] = [
+    "w",
+    "frameangvel",
+    "omega",
+    "om",
+    "angvel",
+    "gyro",
+    "angular",
+    "wbn",
+    "wn",
+    "wb",
+    "spin",
+    "angrate",
+    "rotvel",
+    "rates",
     "angv",
 ];
-const VELOCITIES: [&str; 11] =
-    ["v", "vel", "velocity", "linvel", "linear", "twist", "u", "speed", "vn", "vcm", "velo"];
-const POSITIONS: [&str; 15] = [
+const VELOCITIES: [&str; 13] = [
+    "v",
+    "framelinvel",
+    "qvel",
+    "vel",
+    "velocity",
+    "linvel",
+    "linear",
+    "twist",
+    "u",
+    "speed",
+    "vn",
+    "vcm",
+    "velo",
+];
+const POSITIONS: [&str; 19] = [
     "p",
+    "framepos",
+    "qpos",
+    "xipos",
+    "xpos",
     "pos",
     "position",
     "trans",
@@ -103,8 +134,9 @@ const POSITIONS: [&str; 15] = [
     "rn",
     "coordinate",
 ];
-pub(super) const QUATERNIONS: [&str; 14] = [
+pub(super) const QUATERNIONS: [&str; 15] = [
     "q",
+    "xquat",
     "quat",
     "framequat",
     "quaternion",
@@ -138,7 +170,7 @@ pub(super) fn meaning(name: &str) -> Option<Meaning> {
         other => other,
     };
     let unit = factor(kind, &units);
-    let from_sensor = has(&["rs", "bn", "body", "gyro", "wbn", "imu", "rates", "b"]);
+    let from_sensor = has(&["rs", "bn", "body", "gyro", "wbn", "imu", "rates", "b", "qvel"]);
     let in_body_axes = kind == Kind::Qvel || kind == Kind::Spin && from_sensor;
     Some(Meaning { kind, component, unit, in_body_axes, scalar_last: has(&["qbn", "qn"]) })
 }
@@ -153,14 +185,14 @@ fn kind(stem: &[String], component: Component) -> Option<Kind> {
     if has(&["sigma", "mrp"]) {
         return Some(Kind::Sigma);
     }
-    if has(&["qpos"]) {
+    let numbered = matches!(component, Component::Digit(_));
+    if numbered && has(&["qpos"]) {
         return Some(Kind::Qpos);
     }
-    if has(&["qvel"]) {
+    if numbered && has(&["qvel"]) {
         return Some(Kind::Qvel);
     }
     if has(&["euler", "eul", "rpy", "ypr"]) {
-        let numbered = matches!(component, Component::Digit(_));
         return Some(if numbered { Kind::Angles } else { Kind::Roll });
     }
     if has(&SPINS) || has(&["ang", "body", "rotational"]) && has(&["rate", "velocity", "vel"]) {
@@ -231,42 +263,6 @@ fn component(word: &str) -> Option<Component> {
     }
 }
 
-/// A unit in brackets at the end of a name, taken off; brackets around a number are an index.
-fn without_bracket(name: &str) -> (&str, Option<&str>) {
-    for (open, close) in [('[', ']'), ('(', ')')] {
-        if let Some(inside) = name.trim_end().strip_suffix(close)
-            && let Some((bare, unit)) = inside.rsplit_once(open)
-            && unit.trim().parse::<u32>().is_err()
-            && !bare.trim().is_empty()
-            && !matches!(unit.trim(), "x" | "y" | "z" | "w")
-        {
-            return (bare, Some(unit));
-        }
-    }
-    (name, None)
-}
-
-/// The words of a name, in small letters.
-fn words_of(name: &str) -> Vec<String> {
-    let mut words = vec![String::new()];
-    let mut before = ' ';
-    for letter in name.chars() {
-        if !letter.is_alphanumeric() && letter != '°' {
-            words.push(String::new());
-        } else {
-            if letter.is_uppercase() && before.is_lowercase() {
-                words.push(String::new());
-            }
-            if let Some(word) = words.last_mut() {
-                word.extend(letter.to_lowercase());
-            }
-        }
-        before = letter;
-    }
-    words.retain(|word| !word.is_empty());
-    words
-}
-
 #[cfg(test)]
 mod tests {
     use super::Component::{Axis, Digit, Only, Scalar};
@@ -308,6 +304,13 @@ mod tests {
             ("posX", Kind::Position, Axis(0)),
             ("angular_velocity_z", Kind::Spin, Axis(2)),
             ("pitch", Kind::Roll, Axis(1)),
+            ("framepos_x", Kind::Position, Axis(0)),
+            ("frameangvel_2", Kind::Spin, Digit(2)),
+            ("xquat_3", Kind::Quaternion, Digit(3)),
+            ("qpos_x", Kind::Position, Axis(0)),
+            ("qpos_qw", Kind::Quaternion, Scalar),
+            ("qvel_y", Kind::Velocity, Axis(1)),
+            ("qvel_wz", Kind::Spin, Axis(2)),
             ("x", Kind::Position, Axis(0)),
         ];
         for (name, kind, component) in cases {

@@ -1,15 +1,18 @@
 //! A trajectory file: comments, a header, then a row a time. Columns may be missing, more are ignored.
 
+use std::io::ErrorKind;
 use std::path::Path;
 
 use rayon::prelude::*;
 
+use super::clock;
 use super::layout::{self, FIELDS, Reading, Separator, number};
 use super::row::{COLUMNS, Log, Marks, Parts, Row};
 use super::said::Said;
 use super::source::{CHUNK, MOST_OF_A_LINE, Source};
 use super::units::Units;
 use crate::bounded::{FileError, NO_TEXT};
+use crate::interrupt;
 
 /// Bytes that one thread reads at a time.
 const PIECE: usize = 1 << 20;
@@ -62,10 +65,14 @@ impl Table<'_> {
             let why = "lines end with a carriage return alone: end them with a line feed";
             return Err(refuse(head.lines_before + 1, why.to_owned()));
         }
-        let reading = Reading::find(head.comment, head.line, said.columns.as_ref());
+        let (below, after_below) = head.after.split_once('\n').unwrap_or((head.after, ""));
+        let reading = Reading::find(head.comment, head.line, below, said.columns.as_ref());
         let mut reading = reading.map_err(|why| refuse(head.lines_before + 1, why))?;
-        let (rest, lines_before) =
-            if reading.header { (head.after, head.lines_before + 1) } else { (head.from, head.lines_before) };
+        let (rest, lines_before) = match (reading.header, reading.units) {
+            (false, _) => (head.from, head.lines_before),
+            (true, false) => (head.after, head.lines_before + 1),
+            (true, true) => (after_below, head.lines_before + 2),
+        };
         if let (Some(sequence), Some(said)) = (&mut reading.sequence, said.sequence) {
             *sequence = said;
         }
@@ -92,6 +99,9 @@ impl Table<'_> {
         let (mut before, mut refused, mut notes) = (self.lines_before, None, Vec::new());
         let mut rows = Vec::new();
         let lines = &mut |bytes: &[u8]| {
+            if interrupt::requested() {
+                return false;
+            }
             if bytes.len() > MOST_OF_A_LINE && !bytes.ends_with(b"\n") {
                 let why = format!("the line has more than {} MiB, which no row has", MOST_OF_A_LINE >> 20);
                 refused = Some(self.refuse(before + 1, why));
@@ -104,25 +114,13 @@ impl Table<'_> {
             if !more {
                 return false;
             }
-            rows.reserve(pieces.iter().map(|piece| piece.rows.len()).sum());
-            for mut piece in pieces {
-                match piece.issue {
-                    Some((line, Issue::Short)) if piece.cut && line == piece.lines => {
-                        notes.push(format!("the last row, line {}, is cut and was left out", before + line));
-                    }
-                    Some((line, issue)) => {
-                        refused = Some(self.refuse(before + line, issue.in_words()));
-                        return false;
-                    }
-                    None => {}
-                }
-                piece.rows.iter_mut().for_each(|row| row.line += before as u32);
-                rows.append(&mut piece.rows);
-                before += piece.lines;
-            }
-            true
+            refused = self.join(pieces, (&mut rows, &mut before, &mut notes)).err();
+            refused.is_none()
         };
         self.source.lines(self.from, lines).map_err(|source| self.unreadable(source))?;
+        if interrupt::requested() {
+            return Err(self.unreadable(ErrorKind::Interrupted.into()));
+        }
         if let Some(refused) = refused {
             return Err(refused);
         }
@@ -130,6 +128,28 @@ impl Table<'_> {
             take(rows);
         }
         Ok(notes)
+    }
+
+    /// Appends the rows of pieces that follow each other to those so far, and counts their lines.
+    fn join(
+        &self,
+        pieces: Vec<Piece>,
+        (rows, before, notes): (&mut Vec<Row>, &mut usize, &mut Vec<String>),
+    ) -> Result<(), FileError> {
+        rows.reserve(pieces.iter().map(|piece| piece.rows.len()).sum());
+        for mut piece in pieces {
+            match piece.issue {
+                Some((line, Issue::Short)) if piece.cut && line == piece.lines => {
+                    notes.push(format!("the last row, line {}, is cut and was left out", *before + line));
+                }
+                Some((line, issue)) => return Err(self.refuse(*before + line, issue.in_words())),
+                None => {}
+            }
+            piece.rows.iter_mut().for_each(|row| row.line += *before as u32);
+            rows.append(&mut piece.rows);
+            *before += piece.lines;
+        }
+        Ok(())
     }
 
     /// The rows in the first bytes of the file and in the last, as far as they are rows.
@@ -339,7 +359,8 @@ fn row<'a>(mut cells: impl Iterator<Item = &'a str>, reading: &Reading) -> Resul
             Err(_) => {
                 let cell = layout::clean(cell);
                 let none = || Issue::NoNumber { field: slot.field, text: layout::shown(cell) };
-                number(cell, reading.separator).ok_or_else(none)?
+                let moment = || clock::moment(cell).filter(|_| slot.field == 0);
+                number(cell, reading.separator).or_else(moment).ok_or_else(none)?
             }
         };
         let place = match slot.field {

@@ -1,5 +1,7 @@
 //! Files without a header: TUM's format, and an option to paste for others.
 
+use nalgebra::Vector3;
+
 use super::layout::{Separator, number};
 use super::row::COLUMNS;
 
@@ -23,6 +25,11 @@ pub(super) fn refusal(separator: Separator, cells: &[&str]) -> String {
         return format!(
             "there is no header, and 4 columns: a quaternion without a time; put the times before it and say --columns t,{columns}"
         );
+    }
+    if is_pose(&row) {
+        return "there is no header, and 12 columns: a rotation matrix and a position without a time, as KITTI writes them; write \
+                t,x,y,z,qw,qx,qy,qz"
+            .to_owned();
     }
     if count < 4 {
         return format!(
@@ -65,6 +72,13 @@ fn quaternion(q: &[f64]) -> [&'static str; 4] {
 
 fn numbers(separator: Separator, cells: &[&str]) -> Vec<f64> {
     cells.iter().map(|cell| number(cell, separator).unwrap_or(f64::NAN)).collect()
+}
+
+/// Three rows of a matrix whose first three columns are a rotation.
+fn is_pose(row: &[f64]) -> bool {
+    let axis = |k: usize| Vector3::new(row[4 * k], row[4 * k + 1], row[4 * k + 2]);
+    let is_turned = || (axis(0).cross(&axis(1)) - axis(2)).norm() < UNIT;
+    row.len() == 12 && (0..3).all(|k| (axis(k).norm() - 1.0).abs() < UNIT) && is_turned()
 }
 
 fn is_unit(q: &[f64]) -> bool {

@@ -3,6 +3,7 @@
 use super::columns;
 use super::euler::Sequence;
 use super::headless;
+use super::names;
 use super::recognise;
 use super::row::{COLUMNS, Part, Parts};
 use super::said::{Columns, NO_FIELD};
@@ -77,6 +78,8 @@ pub(super) struct Reading {
     pub slots: Vec<Option<Slot>>,
     /// Whether the first line that is no comment is a header.
     pub header: bool,
+    /// Whether units stand in a line of their own below it.
+    pub units: bool,
     /// Whether names say that angular velocities are in body axes.
     pub spin_in_body_axes: bool,
     /// The sequence of Euler angles, where the orientation is made of them.
@@ -127,13 +130,19 @@ impl Reading {
         notes
     }
 
-    /// What the first lines of a file say: the last comment before `line`, which is the first that is none.
-    pub fn find(comment: Option<&str>, line: &str, asked: Option<&Columns>) -> Result<Reading, String> {
+    /// What the first lines of a file say: the last comment before `line`, which is the first that is none, and the line below.
+    pub fn find(
+        comment: Option<&str>,
+        line: &str,
+        below: &str,
+        asked: Option<&Columns>,
+    ) -> Result<Reading, String> {
         let separator = Separator::of(line);
         let cells = separator.cut(line);
         let header = cells.iter().any(|cell| !cell.is_empty() && number(cell, separator).is_none());
         if header {
-            return Reading::of_names(separator, &cells, true, asked);
+            let reading = Reading::of_names(separator, &cells, true, asked)?;
+            return Ok(reading.with_units(&cells, &separator.cut(below)));
         }
         if let Some(comment) = comment {
             let bare = comment.trim_start_matches(['#', '%', '/', ' ']);
@@ -179,6 +188,7 @@ impl Reading {
             separator,
             slots,
             header,
+            units: false,
             spin_in_body_axes: false,
             sequence: None,
             words: String::new(),
@@ -198,6 +208,22 @@ impl Reading {
         let unread = reading.free(names).map(|place| shown(names[place])).filter(|name| !name.is_empty());
         reading.unread = unread.take(MOST_SHOWN).collect();
         Ok(reading)
+    }
+
+    /// The same, where the cells below the header are units: those that no name states count.
+    fn with_units(mut self, names: &[&str], below: &[&str]) -> Reading {
+        let is_number = |cell: &&str| !cell.is_empty() && number(cell, self.separator).is_some();
+        if below.iter().any(is_number) || !below.iter().any(|cell| names::is_unit(cell)) {
+            return self;
+        }
+        self.units = true;
+        for ((slot, name), cell) in self.slots.iter_mut().zip(names).zip(below) {
+            if let Some(slot) = slot {
+                slot.unit = slot.unit.or_else(|| names::unit_below(name, cell));
+            }
+        }
+        self.words = self.in_words(names);
+        self
     }
 
     fn in_words(&self, names: &[&str]) -> String {
@@ -295,7 +321,14 @@ fn one_of_each(names: &[&str], slots: &mut [Option<Slot>]) -> Result<(), String>
         if places.len() < 2 {
             continue;
         }
-        let exact: Vec<usize> = places.iter().copied().filter(|place| names[*place] == *own).collect();
+        let of = |is_own: &dyn Fn(&str) -> bool| -> Vec<usize> {
+            places.iter().copied().filter(|place| is_own(names[*place])).collect()
+        };
+        let mut exact = of(&|name| name == *own);
+        if exact.len() != 1 && field == 0 {
+            // `Time` beside `header.stamp.secs`.
+            exact = of(&|name| names::is_time(name, false));
+        }
         match exact[..] {
             [one] => places.into_iter().filter(|place| *place != one).for_each(|place| slots[place] = None),
             _ => twice.push((*own, places[0], places[1])),
@@ -312,7 +345,7 @@ fn one_of_each(names: &[&str], slots: &mut [Option<Slot>]) -> Result<(), String>
     ))
 }
 
-/// A cell as a number; between semicolons and tabs a comma may be the decimal point.
+/// A cell as a number; between semicolons and tabs a comma may be the decimal point, and Fortran writes 1.0D+00.
 pub(super) fn number(cell: &str, separator: Separator) -> Option<f64> {
     if let Ok(value) = cell.parse() {
         return Some(value);
@@ -323,6 +356,9 @@ pub(super) fn number(cell: &str, separator: Separator) -> Option<f64> {
         }
         _ if separator != Separator::Sign(b',') && cell.contains(',') && cell.len() < SHOWN => {
             cell.replacen(',', ".", 1).parse().ok()
+        }
+        _ if cell.len() < SHOWN && cell.ends_with(|letter: char| letter.is_ascii_digit()) => {
+            cell.replacen(['d', 'D'], "e", 1).parse().ok()
         }
         _ => None,
     }

@@ -3,6 +3,7 @@
 //! Errors at the end and the largest, the metrics of a run, the convention that the log follows, and the fixed change that explains it.
 //! Columns may be missing; what needs them is then not applicable, with the reason.
 
+mod clock;
 mod columns;
 mod euler;
 mod explain;
@@ -11,6 +12,7 @@ mod frames;
 mod headless;
 mod layout;
 mod measure;
+mod names;
 mod recognise;
 mod row;
 mod said;

@@ -2,22 +2,23 @@
 
 use super::columns::{self, Component, Kind, Meaning};
 use super::layout::{ANGLES, ROLL, SIGMA, Slot};
+use super::names;
 
+/// A name of bodies that is a name of axes, too.
+const BODY: &str = "body";
 /// How Drake begins the names of positions of a floating body. Its angular velocities are in world axes.
 const DRAKE: &str = "$world";
 
 /// Fills in what the names say; returns whether they say that angular velocities are in body axes.
 pub(super) fn recognise(names: &[&str], slots: &mut [Option<Slot>]) -> bool {
-    let lower: Vec<String> = names.iter().map(|name| name.to_lowercase()).collect();
-    let rates = ["p", "q", "r"];
-    if rates.iter().all(|rate| lower.iter().any(|name| name == rate)) {
-        for (name, slot) in lower.iter().zip(slots.iter_mut()) {
-            let rate = rates.iter().position(|rate| rate == name);
-            *slot = rate.map(|k| Slot { field: 11 + k, unit: None });
+    let rates: Vec<_> = names.iter().map(|name| names::rate(name)).collect();
+    if (0..3).all(|axis| rates.iter().flatten().any(|rate| rate.0 == axis)) {
+        for (rate, slot) in rates.into_iter().zip(slots.iter_mut()) {
+            *slot = rate.map(|(axis, unit)| Slot { field: 11 + axis, unit });
         }
     }
     let mut in_body_axes = slots.iter().any(Option::is_some);
-    let meanings: Vec<Option<Meaning>> = names.iter().map(|name| columns::meaning(name)).collect();
+    let meanings = meanings(names);
     for (slot, meaning) in slots.iter_mut().zip(&meanings) {
         let Some(meaning) = meaning else { continue };
         if slot.is_none()
@@ -30,7 +31,31 @@ pub(super) fn recognise(names: &[&str], slots: &mut [Option<Slot>]) -> bool {
     for (name, slot) in names.iter().zip(slots.iter_mut()).filter(|(_, slot)| slot.is_none()) {
         *slot = beside_quaternion(name, names).map(|axis| Slot { field: 1 + axis, unit: None });
     }
+    let is_time = |slot: &Option<Slot>| slot.is_some_and(|slot| slot.field == 0);
+    if !slots.iter().any(is_time)
+        && let Some(place) = names.iter().position(|name| names::is_time(name, true))
+        && slots[place].is_none()
+    {
+        slots[place] = Some(Slot { field: 0, unit: names::time_unit(names[place]) });
+    }
     in_body_axes && !names.iter().any(|name| name.starts_with(DRAKE))
+}
+
+/// What each name says. A body whose name is `body` lends it to every column: then the word does not say axes.
+fn meanings(names: &[&str]) -> Vec<Option<Meaning>> {
+    let bare = |name: &str| {
+        let (first, rest) = name.split_at_checked(BODY.len())?;
+        let (sign, rest) = rest.split_at_checked(1)?;
+        (first.eq_ignore_ascii_case(BODY) && "_.:".contains(sign)).then(|| rest.to_owned())
+    };
+    let all: Vec<Option<Meaning>> = names.iter().map(|name| columns::meaning(name)).collect();
+    let states = || names.iter().zip(&all).filter_map(|(name, one)| Some((name, one.as_ref()?)));
+    let of_body = |(name, one): (&&str, &Meaning)| one.kind == Kind::Time || bare(name).is_some();
+    let is_place = |kind: Kind| matches!(kind, Kind::Position | Kind::Quaternion);
+    if !(states().all(of_body) && states().any(|(_, one)| is_place(one.kind))) {
+        return all;
+    }
+    names.iter().map(|name| columns::meaning(&bare(name).unwrap_or((*name).to_owned()))).collect()
 }
 
 /// The axis of `NAME_x`, of a body of any name, beside `NAME_qw`.

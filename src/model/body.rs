@@ -238,10 +238,12 @@ mod tests {
             let center: Vector3<f64> = body.points.iter().map(|p| p.position * p.mass).sum();
             assert!(center.amax() < 1e-15);
             assert!((body.points.iter().map(|p| p.mass).sum::<f64>() - 1.75).abs() < 1e-15);
-            let third = |along: Vector3<f64>| {
-                body.points.iter().map(|p| p.mass * p.position.dot(&along).powi(3)).sum::<f64>()
-            };
-            assert!(third(Vector3::new(1.0, -0.5, 0.25)).abs() < 1e-15, "{moments:?}");
+            // Each of the ten third moments: points in pairs cancel to the rounding of their places.
+            for (i, j, k) in (0..27).map(|n| (n / 9, n / 3 % 3, n % 3)).filter(|(i, j, k)| i <= j && j <= k) {
+                let third = |p: &MassPoint| p.mass * p.position[i] * p.position[j] * p.position[k];
+                let moment: f64 = body.points.iter().map(third).sum();
+                assert!(moment.abs() < 1e-15, "{moments:?}: {i}{j}{k} {moment:e}");
+            }
         }
     }
 

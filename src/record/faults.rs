@@ -17,10 +17,13 @@ use crate::fault::Fault;
 
 /// What to do with a file that no change of a line mends.
 const ANEW: &str = "make it anew by polhode report, or by polhode gate --json FILE";
+/// The same of a capsule.
+#[cfg(feature = "cli")]
+const CAPSULE_ANEW: &str = "make it anew by polhode report --capsule FILE";
 
 /// The faults of `records.json`; `error` is what the reader of the whole file met.
 pub(super) fn of_records(text: &str, error: Option<Error>) -> Vec<Fault> {
-    let mut sheet = Sheet { text, faults: Vec::new() };
+    let mut sheet = Sheet { text, faults: Vec::new(), anew: ANEW };
     sheet.file(super::SCHEMA, &|sheet, start| sheet.records(start, ""));
     sheet.finish(error)
 }
@@ -29,7 +32,7 @@ pub(super) fn of_records(text: &str, error: Option<Error>) -> Vec<Fault> {
 #[cfg(feature = "cli")]
 pub(super) fn of_capsule(text: &str, error: Option<Error>) -> Vec<Fault> {
     use super::capsule::{Capsule, SCHEMA};
-    let mut sheet = Sheet { text, faults: Vec::new() };
+    let mut sheet = Sheet { text, faults: Vec::new(), anew: CAPSULE_ANEW };
     sheet.file(SCHEMA, &|sheet, start| {
         sheet.object::<Capsule>(start, "", &|sheet, entry| {
             let is_records = entry.name == "records";
@@ -78,6 +81,8 @@ struct Entry {
 struct Sheet<'t> {
     text: &'t str,
     faults: Vec<Fault>,
+    /// What to do with a file that no change of a line mends.
+    anew: &'static str,
 }
 
 impl Sheet<'_> {
@@ -105,7 +110,7 @@ impl Sheet<'_> {
         let first = self.text[..end].char_indices().next_back().map_or(0, |(place, _)| place);
         if error.is_eof() {
             let fault = Fault::at(self.text, first..end, "", "the file is cut off here");
-            self.faults.push(Fault { advice: ANEW.to_owned(), ..fault });
+            self.faults.push(Fault { advice: self.anew.to_owned(), ..fault });
         } else {
             self.note(first..end, "", said(error));
         }
@@ -130,7 +135,7 @@ impl Sheet<'_> {
             }
             Some(place) => {
                 let fault = Fault::at(self.text, place, "schema", format!("this version reads \"{schema}\""));
-                self.faults.push(Fault { advice: ANEW.to_owned(), ..fault });
+                self.faults.push(Fault { advice: self.anew.to_owned(), ..fault });
             }
             None if self.faults.is_empty() => {
                 let message = format!("no file of Polhode: it names no schema, expected is \"{schema}\"");

@@ -1,5 +1,6 @@
 //! What a repository can hold of a report: a page in Markdown, the key pictures, the tables as CSV and the verdicts as JSON.
 
+use std::borrow::Cow;
 use std::path::Path;
 
 use serde::Serialize;
@@ -15,13 +16,16 @@ const VERDICTS: &str = "verdicts.json";
 /// Schema of the file of verdicts.
 const SCHEMA: &str = "polhode/verdicts/1";
 
-/// Every verdict on a main scheme, without the evidence behind it; one that holds, without words.
+/// Verdicts without the evidence behind them.
 #[derive(Serialize)]
 struct Verdicts<'a> {
     schema: &'static str,
     polhode: &'a str,
     made_at: &'a str,
-    verdicts: Vec<Verdict>,
+    /// Whether everything was measured; a file of them is written of a whole survey alone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    complete: Option<bool>,
+    verdicts: Cow<'a, [Verdict]>,
 }
 
 /// Writes `report.md`, the key pictures, `verdicts.json` and the tables as CSV into a folder.
@@ -49,6 +53,15 @@ pub fn write_brief(
     Ok(folder.finish(&names(&pages, drawn.into_iter()))?)
 }
 
+/// Every verdict with its words, for a program that reads standard output.
+pub fn verdicts_in_json(records: &Records) -> String {
+    let Records { polhode, made_at, verdicts, .. } = records;
+    let (complete, verdicts) = (Some(records.complete), Cow::Borrowed(verdicts.as_slice()));
+    let all = Verdicts { schema: SCHEMA, polhode, made_at, complete, verdicts };
+    serde_json::to_string_pretty(&all).expect("keys are text") + "\n"
+}
+
+/// Every verdict that applies; one that holds, without words.
 fn verdicts(records: &Records) -> Verdicts<'_> {
     let short = |verdict: &Verdict| match verdict.verdict {
         Ruling::Pass => Verdict { detail: String::new(), ..verdict.clone() },
@@ -59,6 +72,7 @@ fn verdicts(records: &Records) -> Verdicts<'_> {
         schema: SCHEMA,
         polhode: &records.polhode,
         made_at: &records.made_at,
+        complete: None,
         verdicts: judged.map(short).collect(),
     }
 }

@@ -33,7 +33,7 @@ use rayon::prelude::*;
 use crate::interrupt;
 use crate::record::{CSV_FILES, RecordError, Records, WholeFile, write_csv, write_json, write_whole};
 
-pub use brief::write_brief;
+pub use brief::{verdicts_in_json, write_brief};
 pub use dashboard::{MARK as DASHBOARD_MARK, bencher, smaller_is_better};
 pub use folder::try_folder;
 pub use github::annotations;

@@ -108,6 +108,7 @@ const EDGES: &[(&str, &[&str])] = &[
         "log",
         &[
             "bounded",
+            "interrupt",
             "measure",
             "model",
             "ode",

@@ -29,7 +29,7 @@ fn a_step_that_is_advised_and_those_below_it_keep_the_tolerance() {
         let question =
             Question::new(&scene, scene.duration, Quantity::Orientation, TOLERANCE).expect("a question");
         let mut found = 0;
-        for answer in question.ask(&contestants).answers {
+        for answer in question.ask(&contestants, &|_, _| ()).answers {
             let Ok(advice) = &answer.found else { continue };
             found += 1;
             let contestant = contestants.iter().find(|c| c.card.name == answer.scheme).expect("asked");

@@ -275,29 +275,6 @@ fn a_scene_file_is_judged_where_a_run_would_refuse_it() {
 }
 
 #[test]
-fn the_integrator_and_the_step_in_force_are_said() {
-    let model = |option: &str| {
-        format!(
-            "<mujoco>{option}<worldbody><body><freejoint/><geom type=\"box\" size=\".1 .2 .3\"/></body></worldbody></mujoco>"
-        )
-    };
-    for (option, integrator, step) in [
-        ("", "Euler", 0.002),
-        ("<option integrator=\"RK4\" timestep=\"0.01\"/>", "RK4", 0.01),
-        ("<option timestep=\"0.005\"/><option integrator=\"implicitfast\"/>", "implicitfast", 0.005),
-    ] {
-        let folder = scratch();
-        let path = folder.path().join("model.xml");
-        fs::write(&path, model(option)).expect("written");
-        let found: Value =
-            serde_json::from_str(&stdout(&inspect(&path, &["--format", "json"]))).expect("JSON");
-        assert!(found["stepping"]["integrator"].as_str().expect("a name").starts_with(integrator));
-        assert_eq!(found["stepping"]["step_s"], step);
-        assert!(stdout(&inspect(&path, &[])).contains("advise: (body 0) alone"));
-    }
-}
-
-#[test]
 fn files_that_are_no_robots_are_refused_with_their_line() {
     let bomb = "<?xml version=\"1.0\"?>\n<!DOCTYPE robot [<!ENTITY a \"ha\"><!ENTITY b \"&a;&a;\">]>\n<robot><link name=\"&b;\"/></robot>";
     let deep = format!("<mujoco><worldbody>{}", "<body>".repeat(200_000));

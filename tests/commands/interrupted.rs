@@ -97,6 +97,23 @@ fn an_interrupted_self_test_says_in_json_that_it_is_not_complete() {
     assert!(found["defects"].is_array() && found["held_against_the_copy"].is_array());
 }
 
+/// Sixteen million rows.
+#[test]
+fn a_long_log_is_not_read_to_its_end() {
+    let folder = scratch();
+    let path = folder.path().join("log.csv");
+    let row = "0.5,1,0,0,0\n".repeat(1 << 20);
+    let mut file = fs::File::create(&path).expect("a file");
+    std::io::Write::write_all(&mut file, b"t,qw,qx,qy,qz\n").expect("written");
+    (0..16).for_each(|_| std::io::Write::write_all(&mut file, row.as_bytes()).expect("written"));
+    let arguments = ["judge", "log.csv", "--scene", "free-rod", "--tolerance", "10"];
+    let output = fs::File::create(folder.path().join("said")).expect("a file");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_polhode"));
+    let child = command.current_dir(folder.path()).args(arguments).stdout(output).spawn().expect("it runs");
+    assert_eq!(interrupted(child, listens), 130);
+    assert_eq!(fs::read(folder.path().join("said")).expect("a file"), b"");
+}
+
 #[test]
 fn commands_without_records_end_too() {
     for arguments in [

@@ -3,6 +3,9 @@
 use std::fs;
 use std::process::Output;
 
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use polhode::internals::log::{Change, Request, judge_text};
+use polhode::scenes::Scene;
 use serde_json::Value;
 
 use crate::common::program::{code, polhode, scratch, stderr, stdout};
@@ -230,4 +233,42 @@ fn a_log_that_is_interpolated_has_the_errors_of_one_that_is_not() {
             assert!((a - b).abs() <= uncertainty, "{scene}, {metric}: {a:e} and {b:e} ± {uncertainty:e}");
         }
     }
+}
+
+/// Angular velocities in body axes turn along with an orientation that was misread.
+#[test]
+fn euler_angles_that_were_misread_are_named() {
+    type Angles = fn(&UnitQuaternion<f64>) -> [f64; 3];
+    let rows = run(SCENE, 400);
+    let scene = Scene::find(SCENE).expect("a scene");
+    let changes = |unit: &str, angles: Angles| {
+        let line = |row: &Row| {
+            let q = UnitQuaternion::new_normalize(Quaternion::new(row[4], row[5], row[6], row[7]));
+            let rates = q.inverse_transform_vector(&Vector3::new(row[11], row[12], row[13]));
+            let [yaw, pitch, roll] = angles(&q);
+            format!("{},{yaw},{pitch},{roll},{},{},{}\n", row[0], rates.x, rates.y, rates.z)
+        };
+        let log = format!("t,yaw{unit},pitch{unit},roll{unit},p,q,r\n");
+        let log = log + &rows.iter().map(line).collect::<String>();
+        let judgement = judge_text(&log, &scene, &Request::default()).expect("a trajectory");
+        judgement.explanations.iter().map(|one| one.change).collect::<Vec<_>>()
+    };
+    // About the moving axes Z, Y, X.
+    let right: Angles = |q| {
+        let (roll, pitch, yaw) = q.euler_angles();
+        [yaw, pitch, roll]
+    };
+    let pitch_negated: Angles = |q| {
+        let (roll, pitch, yaw) = q.euler_angles();
+        [yaw, -pitch, roll]
+    };
+    // About X, Y, Z: those of the inverse with the other sign.
+    let other_sequence: Angles = |q| {
+        let (roll, pitch, yaw) = q.inverse().euler_angles();
+        [-yaw, -pitch, -roll]
+    };
+    assert_eq!(changes("", right), []);
+    assert_eq!(changes("", pitch_negated), [Change::Sign]);
+    assert_eq!(changes("", other_sequence), [Change::Sequence]);
+    assert_eq!(changes(" [deg]", right), [Change::Unit]);
 }

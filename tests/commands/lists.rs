@@ -94,6 +94,8 @@ fn a_scene_is_named_by_position_or_by_option_in_every_command() {
         vec!["advise", "--tolerance", "1e-2", "--scheme", "euler"],
         vec!["sweep", "--quiet", "--vary", "step=0.1:0.2:2", "--scheme", "euler"],
         vec!["reference", "--digits", "5"],
+        vec!["expect", "--scheme", "euler", "--step", "0.01"],
+        vec!["scene", "show"],
         vec!["stability", "--quiet", "--scheme", "euler", "--cells", "0", "--long", "0", "--out", &out],
     ] {
         for scene in [&["free-oblate"][..], &["--scene", "free-oblate"]] {

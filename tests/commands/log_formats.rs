@@ -65,6 +65,29 @@ fn formats_of_many_programs_are_read() {
         // ROS.
         "%time,field.pose.orientation.x,field.pose.orientation.y,field.pose.orientation.z,field.pose.orientation.w\n\
          1564567273000000000,0,0,0,1\n1564567273500000000,0,0,SIN,COS\n",
+        // Sensors of MuJoCo in world axes, its states by name, and places of its bodies.
+        "time,framepos_x,framepos_y,framepos_z,framequat_w,framequat_x,framequat_y,framequat_z,frameangvel_x,frameangvel_y,frameangvel_z\n\
+         0,0,0,0,1,0,0,0,0,0,1\n0.5,0,0,0,COS,0,0,SIN,0,0,1\n",
+        "time,qpos_x,qpos_y,qpos_z,qpos_qw,qpos_qx,qpos_qy,qpos_qz,qvel_x,qvel_y,qvel_z,qvel_wx,qvel_wy,qvel_wz\n\
+         0,0,0,0,1,0,0,0,0,0,0,0,0,1\n0.5,0,0,0,COS,0,0,SIN,0,0,0,0,0,1\n",
+        "t,xpos_0,xpos_1,xpos_2,xquat_0,xquat_1,xquat_2,xquat_3\n0,0,0,0,1,0,0,0\n0.5,0,0,0,COS,0,0,SIN\n",
+        // A body whose name is body, and separators at the end of lines.
+        "time,body_qw,body_qx,body_qy,body_qz,body_wx,body_wy,body_wz,\n0,1,0,0,0,0,0,1,\n0.5,COS,0,0,SIN,0,0,1,\n",
+        // A bag of ROS as a table: two columns more are parts of a time.
+        "Time,header.stamp.secs,header.stamp.nsecs,pose.orientation.x,pose.orientation.y,pose.orientation.z,pose.orientation.w\n\
+         1564567273.0,1564567273,0,0,0,0,1\n1564567273.5,1564567273,500000000,0,0,SIN,COS\n",
+        // Two names of a time, of which one is the very name.
+        "t,time,qw,qx,qy,qz\n0,7,1,0,0,0\n0.5,7.5,COS,0,0,SIN\n",
+        // JSBSim: rates with a unit.
+        "Time,Phi (deg),Theta (deg),Psi (deg),P (deg/s),Q (deg/s),R (deg/s)\n0,0,0,0,0,0,57.29577951308232\n\
+         0.5,0,0,28.64788975654116,0,0,57.29577951308232\n",
+        // Exponents of Fortran, and a time of a named body.
+        "SC0_TIME qw qx qy qz\n0.0D+00 1.0D+00 0.0D+00 0.0D+00 0.0D+00\n5.0D-01 COS 0.0D+00 0.0D+00 SIN\n",
+        // Units in a line of their own.
+        "t;qw;qx;qy;qz;wx;wy;wz\r\nms;-;-;-;-;deg/s;deg/s;deg/s\r\n0;1;0;0;0;0;0;57,29577951308232\r\n500;COS;0;0;SIN;0;0;57,29577951308232\r\n",
+        // Dates and times of day.
+        "timestamp,qw,qx,qy,qz\n2024-05-01T12:00:00Z,1,0,0,0\n2024-05-01T12:00:00.5Z,COS,0,0,SIN\n",
+        "time,qw,qx,qy,qz\n00:00:00,1,0,0,0\n00:00:00.500,COS,0,0,SIN\n",
         // Comments and rows out of order.
         "# a run\nt,qw,qx,qy,qz\n# half\n0.5,COS,0,0,SIN\n0,1,0,0,0\n",
     ];

@@ -7,6 +7,9 @@ mod common;
 #[path = "../common/changed_logs.rs"]
 mod changed_logs;
 
+#[path = "../common/tallied_logs.rs"]
+mod tallied_logs;
+
 #[path = "../common/mutated_logs.rs"]
 mod mutated_logs;
 
@@ -26,6 +29,7 @@ mod explained_logs;
 mod files;
 mod help;
 mod inspect;
+mod inspect_stepping;
 mod interrupted;
 mod json_forms;
 mod judge;
@@ -34,10 +38,12 @@ mod lists;
 mod log_formats;
 mod log_series;
 mod mutated;
+mod read_only;
 mod records_faults;
 mod reference;
 mod runs;
 mod scene;
 mod settings;
 mod stability;
+mod statements;
 mod terminal;

@@ -353,29 +353,3 @@ fn judged(text: &str, scene: &Scene, expected: Option<Change>) -> Named {
         named.iter().filter(|e| !e.is_remark()).map(|e| format!("{:?}: {}", e.change, e.words)).collect();
     if hints.is_empty() { Named::Not } else { Named::Wrongly(hints) }
 }
-
-/// How many of so many changed logs are named rightly and wrongly, and those that are not named rightly.
-pub fn tally(count: u64) -> (u64, u64, Vec<String>) {
-    let (mut rightly, mut wrongly, mut others) = (0, 0, Vec::new());
-    for seed in 0..count {
-        let (name, expected) = CHANGES[seed as usize % CHANGES.len()];
-        match changed(seed, name, expected) {
-            Named::Rightly => rightly += 1,
-            Named::Wrongly(hints) => {
-                wrongly += 1;
-                others.push(format!("{seed} {name}: wrongly {hints:?}"));
-            }
-            Named::Not => others.push(format!("{seed} {name}: not named")),
-        }
-    }
-    (rightly, wrongly, others)
-}
-
-/// The right logs among so many that get a hint.
-pub fn false_alarms(count: u64) -> Vec<String> {
-    let hint = |seed: u64| match right(1_000_000 + seed) {
-        Named::Wrongly(hints) => Some(format!("{seed}: {hints:?}")),
-        _ => None,
-    };
-    (0..count).filter_map(hint).collect()
-}

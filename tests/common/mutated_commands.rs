@@ -28,15 +28,15 @@ const JUDGED: usize = 8;
 const COMMANDS: [(&str, &str); 22] = [
     (
         "report free-rod --scheme euler",
-        "--brief --capsule=c.json --format=svg|png --from=now.json|scene.toml --full --out=o --resume --single-file --svg --force",
+        "--brief --capsule=c.json --format=markdown|json --from=now.json|scene.toml --full --out=o --resume --single-file --svg --force",
     ),
     (
         "gate free-rod --scheme euler",
-        "--baseline=now.json|b.json --budget=0.1|5 --from=now.json|scene.toml --github --json=j.json --junit=j.xml --markdown=m.md --sarif=s.sarif --benchmark=b.json --order=1|12 --resume --verbose --force",
+        "--baseline=now.json|b.json --budget=0.1|5 --format=json --from=now.json|scene.toml --github --json=j.json --junit=j.xml --markdown=m.md --sarif=s.sarif --benchmark=b.json --order=1|12 --resume --verbose --force",
     ),
     (
         "bless free-rod --scheme euler --reason why",
-        "--baseline=b.json|now.json --by=me --from=now.json|scene.toml --force",
+        "--baseline=b.json|now.json --by=me --format=json --from=now.json|scene.toml --force",
     ),
     ("init", "--schema --force"),
     ("compare euler peskin-rk2 free-rod", "--all --format=text|csv|json|markdown|latex --scene=free-sphere"),
@@ -52,7 +52,7 @@ const COMMANDS: [(&str, &str); 22] = [
     ("expect free-rod --scheme euler --step 0.05", "--format=json --quantity=orientation|position"),
     (
         "sweep free-rod --scheme euler --vary step=0.1:0.2:2",
-        "--errors=always|never --out=f.csv --plot=p.png --quantity=orientation --resume --show=euler --step=0.1 --vary=duration=1:2:3|initial.angular_momentum.2=1:1e300:2:log --force",
+        "--errors=always|never --format=json --out=f.csv --plot=p.png --quantity=orientation --resume --show=euler --step=0.1 --vary=duration=1:2:3|initial.angular_momentum.2=1:1e300:2:log --force",
     ),
     ("engine new --language c", "--out=e.c --language=python|julia --force"),
     ("engine check /no/such/program", "--contract --format=json"),
@@ -62,14 +62,14 @@ const COMMANDS: [(&str, &str); 22] = [
     ),
     (
         "judge log.csv --scene free-rod",
-        "--angle-unit=deg|rad --angular-velocity=world|body --as-found --columns=t=t --errors=e.csv --from-log --json=j.json --plot=p.png --quantity=orientation --quaternion=world-to-body --time-unit=ms --tolerance=1e-2",
+        "--angle-unit=deg|rad --angular-velocity=world|body --as-found --columns=t=t --errors=e.csv --format=json --from-log --json=j.json --plot=p.png --quantity=orientation --quaternion=world-to-body --time-unit=ms --tolerance=1e-2",
     ),
     ("inspect scene.toml", "--format=json --out=o.toml --verbose"),
     (
         "reference free-rod --digits 5",
         "--digits=1|30 --every=1 --format=text|json|csv --out=r.json --times=0,1|1e-300 --force",
     ),
-    ("replay now.json", "--jobs=1"),
+    ("replay now.json", "--jobs=1 --format=json"),
     ("self-test --print 1", "--extreme --seed=7 --print=0|99999999999 --format=json"),
     ("list schemes", "--format=json --schema"),
     ("scene show scene.toml", "--quiet"),

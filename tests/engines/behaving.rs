@@ -169,6 +169,41 @@ fn a_question_is_what_the_interface_says() {
     assert_eq!(json(&stage.text("bye")), json(r#"{"polhode":1,"ask":"bye"}"#));
 }
 
+/// Laws of satellites with the keys that have no default alone: the question has every other one.
+#[test]
+fn laws_have_every_default_filled_in() {
+    let laws = [
+        ("rotational-damping", "coefficients = [0.5, 0.25, 0.125]"),
+        ("wheels", "momentum = [0.0, 0.0, 2.0]"),
+        ("orbiting-dipole", "moment = [0.0, 0.0, 1.0]\nfrequency = 0.25"),
+        ("mass-center-gravity", "mu = 3.0"),
+        ("torque-pulse", "axes = \"body\"\ntorque = [0.0, 0.5, 0.0]\nend = 0.5"),
+    ];
+    let law = |(name, keys): &(&str, &str)| format!("[[forces]]\nlaw = \"{name}\"\n{keys}\n");
+    let scene = "name = \"laws\"\nduration = 1.0\n[body]\nmass = 2.0\ninertia = [1.0, 2.0, 2.5]\n[initial]\nposition = [5.0, 0.0, 0.0]\n";
+    let stage = Stage::new();
+    let path = stage.path("laws.toml");
+    fs::write(&path, scene.to_owned() + &laws.iter().map(law).collect::<String>()).expect("written");
+    let scheme = stage.script(
+        r#"read -r line; echo '{"polhode":1,"name":"script"}'; read -r line; echo "$line" > "$here/asked"; echo '{"id":1,"refused":"no"}'"#,
+    );
+    let output = polhode(&["run", &path.to_string_lossy(), "--scheme", &scheme, "--steps", "1"]);
+    assert!(stderr(&output).contains("no"), "{}", stderr(&output));
+    let asked = json(&stage.text("asked"));
+    let told = asked["forces"].as_array().expect("laws");
+    let listed = json(&stdout(&polhode(&["list", "forces", "--format", "json"])));
+    for (name, _) in laws {
+        let own = told.iter().find(|law| law["law"] == name).unwrap_or_else(|| panic!("{name}: {told:?}"));
+        let parameters = listed.as_array().expect("rows").iter().filter(|row| row["law"] == name);
+        let keys: Vec<&str> = parameters.filter_map(|row| row["parameter"].as_str()).collect();
+        assert!(!keys.is_empty(), "{name}");
+        assert!(
+            keys.iter().all(|key| own[*key].is_number() || own[*key].is_array() || own[*key].is_string()),
+            "{name}: {own}"
+        );
+    }
+}
+
 #[test]
 fn a_body_on_a_pivot_is_given_about_its_centre_of_mass() {
     let stage = Stage::new();

@@ -12,6 +12,9 @@ mod known;
 #[path = "../common/changed_logs.rs"]
 mod changed_logs;
 
+#[path = "../common/tallied_logs.rs"]
+mod tallied_logs;
+
 #[path = "../common/mutated_logs.rs"]
 mod mutated_logs;
 
@@ -34,6 +37,7 @@ mod mutated;
 mod planted_defects;
 mod random_scenes;
 mod recurrence;
+mod signs_of_life;
 mod stability;
 mod turning_tops;
 mod whole_report;

@@ -18,7 +18,7 @@ use self::side::Side;
 use super::Failure;
 use super::exit::UNDECIDED;
 use super::output::print;
-use super::progress::with_bar;
+use super::progress::{with_bar, with_word};
 use super::select;
 use crate::campaign::{self, Campaign, SECONDS_A_COST};
 use crate::record::Records;
@@ -115,7 +115,9 @@ fn sides(options: &Options, quiet: bool) -> Result<(Side, Side), Failure> {
             let scenes = options.scenes.open()?;
             let grid = Campaign::of(scenes.clone(), contestants.clone());
             let mut records = with_bar(quiet, "measuring", |progress| Campaign { progress, ..grid }.run());
-            campaign::add_costs(&mut records, &scenes, &contestants, SECONDS_A_COST);
+            with_word(quiet, "timing", || {
+                campaign::add_costs(&mut records, &scenes, &contestants, SECONDS_A_COST);
+            });
             Ok((Side::scheme(&options.a, records.clone()), Side::scheme(&options.b, records)))
         }
         _ => Err(Failure::Usage("compare two schemes or two records files, not one of each".to_owned())),

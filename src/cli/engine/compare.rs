@@ -6,7 +6,7 @@ use clap::Args;
 
 use crate::campaign::{self, Campaign};
 use crate::cli::Failure;
-use crate::cli::output::{Force, Format, Listing, print};
+use crate::cli::output::{Force, Format, Listing, print, try_parent};
 use crate::cli::progress::with_bar;
 use crate::cli::select::Selection;
 use crate::record::{PeerRow, Records};
@@ -15,9 +15,9 @@ use crate::report;
 /// Options of `polhode engine compare`.
 #[derive(Args, Clone, Debug)]
 pub(super) struct Options {
-    /// Folder to write engines.md, engines.json and pictures into
-    #[arg(long, value_name = "DIR", default_value = "reports/engines")]
-    out: PathBuf,
+    /// Folder to write engines.md, engines.json and pictures into [default: reports/engines]
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
     #[command(flatten)]
     force: Force,
     #[command(flatten)]
@@ -33,16 +33,18 @@ pub(super) fn compare(options: &Options, quiet: bool) -> Result<u8, Failure> {
         let how = "name at least one engine: --scheme 'engine:python3 my_engine.py'";
         return Err(Failure::Usage(how.to_owned()));
     }
-    report::try_folder(&options.out, "engines.json", &["engines.md"], options.force.given)?;
+    try_parent(options.out.as_ref())?;
+    let out = options.out.clone().unwrap_or_else(|| PathBuf::from("reports/engines"));
+    report::try_folder(&out, "engines.json", &["engines.md"], options.force.given)?;
     let grid = Campaign::of(scenes.clone(), contestants.clone());
     let mut records = with_bar(quiet, "measuring", |progress| Campaign { progress, ..grid }.run());
     with_bar(quiet, "comparing", |progress| {
         campaign::add_peers(&mut records, &scenes, &contestants, None, progress);
     });
-    report::write_engines(&records, &options.out)?;
+    report::write_engines(&records, &out)?;
     print(&table(&records).write(options.format))?;
     if !quiet {
-        eprintln!("polhode: the page is {}", options.out.join("engines.md").display());
+        eprintln!("polhode: the page is {}", out.join("engines.md").display());
     }
     Ok(0)
 }

@@ -5,11 +5,12 @@ use serde_json::{Value, json};
 use crate::cli::Failure;
 use crate::cli::exit::UNDECIDED;
 use crate::cli::output::{Format, print};
+use crate::cli::progress::with_word;
 use crate::engine::{Conduct, Judgement, hold};
 
 /// Prints a line for each clause. Returns 0 where all that apply hold, 1 where one fails, 2 where none applies.
-pub(super) fn check(command: &str, format: Format) -> Result<u8, Failure> {
-    let judgements = hold(command)?;
+pub(super) fn check(command: &str, format: Format, quiet: bool) -> Result<u8, Failure> {
+    let judgements = with_word(quiet, "checking", || hold(command))?;
     let count = |conduct| judgements.iter().filter(|judgement| judgement.conduct() == conduct).count();
     let counts = (count(Conduct::Holds), count(Conduct::Fails));
     print(&match format {

@@ -10,6 +10,7 @@ use serde_json::{Value, json};
 
 use super::Failure;
 use super::output::{Force, Format, print};
+use super::progress::with_word;
 use crate::engine::{self, Finding, Language};
 use crate::record;
 
@@ -91,8 +92,8 @@ pub(super) fn engine(options: &Options, quiet: bool) -> Result<u8, Failure> {
             }
             Ok(0)
         }
-        What::Check { contract: true, format, command } => contract::check(&line(command), *format),
-        What::Check { contract: false, format, command } => check(&line(command), *format),
+        What::Check { contract: true, format, command } => contract::check(&line(command), *format, quiet),
+        What::Check { contract: false, format, command } => check(&line(command), *format, quiet),
         What::Compare(options) => compare::compare(options, quiet),
     }
 }
@@ -105,8 +106,8 @@ fn line(command: &[String]) -> String {
     }
 }
 
-fn check(command: &str, format: Format) -> Result<u8, Failure> {
-    let findings = engine::check(command)?;
+fn check(command: &str, format: Format, quiet: bool) -> Result<u8, Failure> {
+    let findings = with_word(quiet, "checking", || engine::check(command))?;
     let violations = findings.iter().filter(|finding| finding.violation.is_some()).count();
     print(&match format {
         Format::Text => in_words(&findings, violations),

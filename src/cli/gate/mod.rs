@@ -13,7 +13,7 @@ use self::written::Written;
 use super::Failure;
 use super::exit::UNDECIDED;
 use super::measured;
-use super::output::{painted, print};
+use super::output::{Format, painted, print};
 use super::select::Selection;
 use crate::campaign::Journal;
 use crate::gates::{self, Baseline};
@@ -43,11 +43,21 @@ pub(super) struct Options {
     #[arg(long, requires = "json", conflicts_with = "from")]
     resume: bool,
     /// Time for all runs: the slowest are left out and named
-    #[arg(long, value_name = "SECONDS", value_parser = super::seconds, conflicts_with = "from")]
+    #[arg(long, value_name = "SECONDS", value_parser = super::seconds, allow_negative_numbers = true, conflicts_with = "from")]
     budget: Option<f64>,
     /// Print what was judged of each scheme in each scene, ten lines at most
     #[arg(long)]
     verbose: bool,
+    /// Form of the verdicts on stdout
+    #[arg(
+        long,
+        value_enum,
+        default_value_t,
+        hide_possible_values = true,
+        value_name = "text|json",
+        conflicts_with = "github"
+    )]
+    format: Format,
 }
 
 const EXAMPLES: &str = "\
@@ -87,7 +97,10 @@ pub(super) fn gate(options: &Options, quiet: bool) -> Result<u8, Failure> {
 /// Writes and prints what was judged.
 fn judged(options: &Options, partners: Option<&Baseline>, records: &Records) -> Result<u8, Failure> {
     options.written.write(records)?;
-    print(&painted(&report::verdict_table(records, options.verbose)))?;
+    print(&match options.format {
+        Format::Text => painted(&report::verdict_table(records, options.verbose)),
+        Format::Json => report::verdicts_in_json(records),
+    })?;
     if options.written.github {
         print(&report::annotations(records))?;
     }

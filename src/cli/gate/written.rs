@@ -34,7 +34,7 @@ pub(super) struct Written {
     /// Write the same for Bencher
     #[arg(long, hide_short_help = true, value_name = "FILE")]
     bencher: Option<PathBuf>,
-    /// Annotate for GitHub Actions on stdout, and add the summary to $GITHUB_STEP_SUMMARY
+    /// Annotate for GitHub Actions, and add the summary to $GITHUB_STEP_SUMMARY
     #[arg(long)]
     pub(super) github: bool,
     #[command(flatten)]

@@ -7,6 +7,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 
 use super::output::{Force, print};
+use super::progress::with_word;
 use super::{Failure, exit, select};
 use crate::ode::SolverError;
 use crate::record;
@@ -75,7 +76,8 @@ pub(super) fn reference(options: &Options, quiet: bool) -> Result<u8, Failure> {
     options.force.try_json(options.out.as_ref())?;
     let scene = Scene::find(options.scene.name())?;
     let times = times(options, scene.duration)?;
-    let motion = match precise::solve(&scene.system, &times, PATIENCE) {
+    let solved = with_word(quiet, "solving", || precise::solve(&scene.system, &times, PATIENCE));
+    let motion = match solved {
         Ok(motion) => motion,
         Err(SolverError::Interrupted) => return Ok(exit::INTERRUPTED),
         Err(error) => return Err(Failure::Model(format!("{}: {error}", scene.name))),

@@ -116,8 +116,9 @@ fn shifted(case: &Case, parts: Parts, start: f64) -> Option<Tried> {
     } else {
         format!("the {}", parts.each().map(Part::word).collect::<Vec<_>>().join(" and "))
     };
+    let (sign, by) = (if shift < 0.0 { '-' } else { '+' }, shift.abs());
     let words = format!(
-        "{what} shows at t what the reference shows at t + {shift:.9} s: a shift in time or a late start"
+        "{what} shows at t what the reference shows at t {sign} {by:.9} s: a shift in time or a late start"
     );
     Some(Tried { change: Change::Shift, words, left })
 }

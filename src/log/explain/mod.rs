@@ -10,13 +10,14 @@ mod repairs;
 mod signals;
 
 use nalgebra::Vector3;
+use serde::Serialize;
 
 use super::frames::Convention;
 use super::measure::Reader;
 use super::row::{Log, Part, Parts, Row};
 use super::track::Track;
 use crate::model::{Quantity, Snapshot, System, sizes};
-use crate::rotation;
+use crate::rotation::{self, Rotation};
 
 /// Part of the error that an explanation may leave: what a smooth error of a scheme never loses to a turn, a shift or a scale (a line
 /// fitted by a constant keeps half of it), with room for noise and digits.
@@ -35,7 +36,8 @@ const OF_AXES: [Change; 4] =
     [Change::BodyAxes, Change::PermutedBoth, Change::PermutedWorld, Change::TurnedWorld];
 
 /// What may have been done to a log.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Change {
     /// Another unit of a quantity, or of times.
     Unit,
@@ -234,6 +236,16 @@ impl<'a> Case<'a> {
     fn after(&self, change: impl Fn(&Snapshot) -> Snapshot) -> f64 {
         let changed: Vec<Snapshot> = self.states.iter().map(change).collect();
         self.residual(&changed, &self.truth)
+    }
+
+    /// A state that was read with another orientation: an angular velocity in body axes turns along.
+    fn with_orientation(&self, state: &Snapshot, orientation: Rotation) -> Snapshot {
+        let mut other = Snapshot { orientation, ..*state };
+        if self.reader.declared.spin_in_body_axes && self.parts().has(Part::Spin) {
+            other.angular_velocity =
+                orientation * state.orientation.inverse_transform_vector(&state.angular_velocity);
+        }
+        other
     }
 
     /// What is left where rows are read under another convention, perhaps with the scalar last.

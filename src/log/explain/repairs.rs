@@ -109,7 +109,7 @@ fn orientations(case: &Case, tried: &mut Vec<Tried>) {
         let left = case.after(|state| {
             let mut q = state.orientation.into_inner();
             q.coords[k] = -q.coords[k];
-            Snapshot { orientation: Rotation::new_normalize(q), ..*state }
+            case.with_orientation(state, Rotation::new_normalize(q))
         });
         let words = format!("the sign of {} is turned", ["qx", "qy", "qz"][k]);
         tried.push(Tried { change: Change::Sign, words, left });
@@ -123,18 +123,37 @@ fn orientations(case: &Case, tried: &mut Vec<Tried>) {
         });
     }
     if let Some(read) = case.log().reading.sequence {
-        for sequence in Sequence::all().flat_map(|sequence| [sequence, sequence.other_way()]) {
-            let by_axis = read.of_three_axes() && sequence.of_three_axes() && case.log().reading.has(17);
-            let left = case.after(|state| {
-                let angles = read.angles(&state.orientation);
-                let angle = |place: usize| {
-                    if by_axis { angles[read.place_of(sequence.axis(place))] } else { angles[place] }
-                };
-                Snapshot { orientation: sequence.rotation([0, 1, 2].map(angle)), ..*state }
-            });
-            let words = format!("Euler angles have the sequence {sequence}: --euler {sequence}");
-            tried.push(Tried { change: Change::Sequence, words, left });
-        }
+        angles(case, read, tried);
+    }
+}
+
+/// Euler angles of another sequence, of another unit, or one with the other sign.
+fn angles(case: &Case, read: Sequence, tried: &mut Vec<Tried>) {
+    let after = |change: &dyn Fn([f64; 3]) -> Rotation| {
+        case.after(|state| case.with_orientation(state, change(read.angles(&state.orientation))))
+    };
+    for sequence in Sequence::all().flat_map(|sequence| [sequence, sequence.other_way()]) {
+        let by_axis = read.of_three_axes() && sequence.of_three_axes() && case.log().reading.has(17);
+        let left = after(&|angles| {
+            let angle = |place: usize| {
+                if by_axis { angles[read.place_of(sequence.axis(place))] } else { angles[place] }
+            };
+            sequence.rotation([0, 1, 2].map(angle))
+        });
+        let words = format!("Euler angles have the sequence {sequence}: --euler {sequence}");
+        tried.push(Tried { change: Change::Sequence, words, left });
+    }
+    let left = after(&|angles| read.rotation(angles.map(f64::to_degrees)));
+    let words = "Euler angles are in radians, and were read in degrees".to_owned();
+    tried.push(Tried { change: Change::Unit, words, left });
+    for place in 0..3 {
+        let left = after(&|mut angles| {
+            angles[place] = -angles[place];
+            read.rotation(angles)
+        });
+        let axis = ["x", "y", "z"][read.axis(place)];
+        let words = format!("the sign of the Euler angle about {axis} is turned");
+        tried.push(Tried { change: Change::Sign, words, left });
     }
 }
 

@@ -6,6 +6,8 @@
 
 pub mod search;
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use rayon::prelude::*;
 
 use crate::measure::{self, Sight};
@@ -148,13 +150,17 @@ impl Question {
         Question { precision, ..self }
     }
 
-    /// Asks every scheme, in parallel; then times those that meet the tolerance, alone.
-    pub fn ask(&self, contestants: &[Contestant]) -> Answers {
+    /// Asks every scheme, in parallel; then times those that meet the tolerance, alone. `progress` is called with the schemes that have
+    /// answered and the schemes in all.
+    pub fn ask(&self, contestants: &[Contestant], progress: &(dyn Fn(usize, usize) + Sync)) -> Answers {
         let own: Vec<Contestant> = contestants.iter().filter_map(|one| one.at(self.precision)).collect();
-        let mut answers: Vec<Answer> = own
-            .par_iter()
-            .map(|contestant| Answer { scheme: contestant.card.name, found: self.ask_one(contestant) })
-            .collect();
+        let done = AtomicUsize::new(0);
+        let answer = |contestant: &Contestant| {
+            let found = self.ask_one(contestant);
+            progress(done.fetch_add(1, Ordering::Relaxed) + 1, own.len());
+            Answer { scheme: contestant.card.name, found }
+        };
+        let mut answers: Vec<Answer> = own.par_iter().map(answer).collect();
         let noise = self.time(&own, &mut answers);
         let refused = contestants.iter().filter(|one| one.at(self.precision).is_none());
         answers.extend(refused.map(|one| Answer {

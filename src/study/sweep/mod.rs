@@ -10,6 +10,7 @@ mod keys;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::ops::Range;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -128,15 +129,22 @@ impl Sweep {
     }
 
     /// Runs every scheme at every place, the last axis fastest, scheme after scheme. Where the user asks for the end, the rows that are
-    /// whole.
-    pub fn run(&self, contestants: &[Contestant], journal: Option<&Journal>) -> Vec<Row> {
+    /// whole. `progress` is called with the runs that are done and the runs in all.
+    pub fn run(
+        &self,
+        contestants: &[Contestant],
+        journal: Option<&Journal>,
+        progress: &(dyn Fn(usize, usize) + Sync),
+    ) -> Vec<Row> {
+        let (done, all) = (AtomicUsize::new(0), self.len() * contestants.len());
+        let tick = || progress(done.fetch_add(1, Ordering::Relaxed) + 1, all);
         let scenes = self.scenes();
         let together = if self.with_errors { TOGETHER } else { scenes.max(1) };
         let mut rows: Vec<Vec<(usize, Row)>> = vec![Vec::new(); contestants.len()];
         for first in (0..scenes).step_by(together).take_while(|_| !interrupt::requested()) {
             let places = self.places(first..scenes.min(first + together));
             for (contestant, rows) in contestants.iter().zip(&mut rows) {
-                rows.extend(self.rows(contestant, &places, journal));
+                rows.extend(self.rows(contestant, &places, (journal, &tick)));
             }
         }
         rows.iter_mut().for_each(|rows| rows.sort_by_key(|(place, _)| *place));
@@ -218,7 +226,7 @@ impl Sweep {
         &self,
         contestant: &Contestant,
         places: &[Place],
-        journal: Option<&Journal>,
+        (journal, tick): (Option<&Journal>, &(dyn Fn() + Sync)),
     ) -> Vec<(usize, Row)> {
         let (mut rows, mut asked) = (Vec::new(), Vec::new());
         if interrupt::requested() {
@@ -235,6 +243,7 @@ impl Sweep {
                 }
             }
         }
+        rows.iter().for_each(|_| tick());
         let members = asked.iter().map(|one| Member { system: one.scene.system.clone(), plan: one.plan });
         let see = |(index, kept): &mut (usize, Kept), state: &Snapshot| {
             kept.first.get_or_insert(*state);
@@ -244,7 +253,9 @@ impl Sweep {
         let end = |index: usize, (_, kept): (usize, Kept), outcome: Outcome| {
             let place = asked[index].place;
             let row = || self.row(contestant, &asked[index], &kept, &outcome);
-            Some((place.index, journal::row(journal, &key(place), row)?))
+            let row = journal::row(journal, &key(place), row)?;
+            tick();
+            Some((place.index, row))
         };
         let ensemble = Ensemble::new(contestant, members.collect());
         rows.extend(ensemble.rows(|index| (index, Kept::default()), see, end).into_iter().flatten());
