@@ -22,9 +22,9 @@ impl<T: Real> Accelerations<T> {
         attitude: &Rotation<T>,
         momentum: &Vector3<T>,
     ) -> Self {
-        let in_body = turned_back(&attitude, momentum);
+        let in_body = turned_back(attitude, momentum);
         let inverse = model.rotational().inverse_moments;
-        let torque = turned_back(&attitude, &model.torque_of(rates));
+        let torque = turned_back(attitude, &model.torque_of(rates));
         let spin = (torque - inverse.component_mul(&in_body).cross(&in_body)).component_mul(&inverse);
         Accelerations { spin, velocity: rates.motion().acceleration }
     }

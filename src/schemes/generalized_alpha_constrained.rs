@@ -212,5 +212,5 @@ fn spin_rate<M: Turning>(
     attitude: &Rotation<M::Real>,
     torque: &Vector3<M::Real>,
 ) -> Vector3<M::Real> {
-    attitude * turned_back(&attitude, torque).component_mul(&model.rotational().inverse_moments)
+    attitude * turned_back(attitude, torque).component_mul(&model.rotational().inverse_moments)
 }

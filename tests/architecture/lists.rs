@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use crate::sources::{self, File};
 
 /// Files of `src/schemes` that are no scheme: what schemes share, cards, and solvers that choose their steps.
-const NO_SCHEME: [&str; 23] = [
+const NO_SCHEME: [&str; 24] = [
     "accelerations",
     "adaptive",
     "body_form",
@@ -24,6 +24,7 @@ const NO_SCHEME: [&str; 23] = [
     "preprocessing",
     "pulls",
     "semi_implicit",
+    "small",
     "series",
     "splitting",
     "substepped",
