@@ -3,6 +3,7 @@
 use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::Path;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc;
 use std::thread;
 use std::time::Duration;
@@ -14,6 +15,23 @@ pub const MOST_OF_A_SCENE: u64 = 64 << 20;
 pub const MOST_OF_A_LOG: u64 = 1 << 30;
 /// Most bytes of a records file: a hundred times those of every scheme in every scene.
 pub const MOST_OF_RECORDS: u64 = 4 << 30;
+
+/// Most bytes of any input, where the user states them; 0 where not.
+static STATED: AtomicU64 = AtomicU64::new(0);
+
+/// States the most MiB of any input.
+#[cfg(feature = "cli")]
+pub fn set_most(mebibytes: u64) {
+    STATED.store(mebibytes << 20, Ordering::Relaxed);
+}
+
+/// Most bytes of an input: what the user states, or else the bound of its kind.
+pub fn most(of_kind: u64) -> u64 {
+    match STATED.load(Ordering::Relaxed) {
+        0 => of_kind,
+        stated => stated,
+    }
+}
 
 /// Bytes that are looked at before the rest is read.
 pub const FIRST: u64 = 1 << 16;
@@ -99,9 +117,9 @@ fn unmarked(first: &[u8]) -> Option<&'static str> {
 ///
 /// # Errors
 /// [`FileError`]: as [`read`] has them, or bytes that are not UTF-8.
-pub fn text(path: &Path, most: u64) -> Result<String, FileError> {
+pub fn text(path: &Path, of_kind: u64) -> Result<String, FileError> {
     let file = path.display().to_string();
-    let bytes = read(path, most).map_err(|unread| match unread {
+    let bytes = read(path, most(of_kind)).map_err(|unread| match unread {
         Unread::System(source) => FileError::Unreadable { file: file.clone(), source },
         Unread::Content(why) => FileError::Content { file: file.clone(), line: 1, why },
     })?;
@@ -127,7 +145,10 @@ fn read(path: &Path, most: u64) -> Result<Vec<u8>, Unread> {
     let rest = most + 1 - bytes.len() as u64;
     file.take(rest).read_to_end(&mut bytes).map_err(Unread::System)?;
     if bytes.len() as u64 > most {
-        return Err(Unread::Content(format!("the file is larger than {} MiB", most >> 20)));
+        return Err(Unread::Content(format!(
+            "the file is larger than {} MiB: --input-limit admits more",
+            most >> 20
+        )));
     }
     Ok(bytes)
 }

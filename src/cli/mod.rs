@@ -70,6 +70,9 @@ struct Everywhere {
     /// Settings [default: polhode.toml, where there is one]
     #[arg(long, global = true, hide_short_help = true, value_name = "FILE")]
     config: Option<PathBuf>,
+    /// Largest input file [default: 64 a scene, 1024 a log by a pipe, 4096 records]
+    #[arg(long, global = true, hide_short_help = true, value_name = "MIB", value_parser = clap::value_parser!(u64).range(1..=1 << 30))]
+    input_limit: Option<u64>,
     /// Longest time that a foreign engine may take for an answer
     #[arg(long, global = true, hide_short_help = true, value_name = "SECONDS", default_value_t = 60.0, value_parser = seconds)]
     engine_timeout: f64,
@@ -171,6 +174,7 @@ fn dispatch(arguments: Arguments) -> Result<u8, Failure> {
             .build_global()
             .map_err(|error| Failure::Usage(format!("--jobs {jobs}: {error}")))?;
     }
+    everywhere.input_limit.into_iter().for_each(crate::bounded::set_most);
     crate::engine::set_patience(Duration::from_secs_f64(everywhere.engine_timeout));
     crate::engine::set_most_memory(everywhere.engine_memory);
     exit::listen_to_interrupts()?;

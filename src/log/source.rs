@@ -43,8 +43,10 @@ impl Source<'_> {
         }
         let copy = copied(first, file).map_err(unreadable)?;
         copy.ok_or_else(|| {
-            let most = MOST_OF_A_LOG >> 20;
-            refuse(format!("more than {most} MiB come by a pipe: write a file, which may have any size"))
+            let most = bounded::most(MOST_OF_A_LOG) >> 20;
+            refuse(format!(
+                "more than {most} MiB come by a pipe: write a file, which may have any size, or admit more by --input-limit"
+            ))
         })
     }
 
@@ -106,15 +108,17 @@ impl Source<'_> {
 
 /// What was read and what follows; `None` where that is too much.
 fn copied(mut first: Vec<u8>, rest: File) -> io::Result<Option<Source<'static>>> {
-    let most = MOST_OF_A_LOG - first.len() as u64;
+    let most = bounded::most(MOST_OF_A_LOG);
+    let left = most.saturating_sub(first.len() as u64);
     Read::take(&rest, CHUNK as u64).read_to_end(&mut first)?;
     if first.len() < CHUNK {
-        return Ok(Some(Source::Bytes(first.into())));
+        let fits = first.len() as u64 <= most;
+        return Ok(fits.then(|| Source::Bytes(first.into())));
     }
     let mut file = tempfile::tempfile()?;
     file.write_all(&first)?;
-    let length = first.len() as u64 + io::copy(&mut Read::take(&rest, most), &mut file)?;
-    Ok((length <= MOST_OF_A_LOG).then_some(Source::File { file, length }))
+    let length = first.len() as u64 + io::copy(&mut Read::take(&rest, left), &mut file)?;
+    Ok((length <= most).then_some(Source::File { file, length }))
 }
 
 #[cfg(test)]

@@ -284,8 +284,7 @@ impl<'a, S: Stepping<Counted<'a, M>>, M: Model> Drive<M::Real> for Stepper<'a, S
 
 /// Steps and checks the result. Where it is not finite, the steps are taken again one by one to find the first that was not.
 fn advance_checked<T: Real>(run: &mut dyn Drive<T>, from: u64, to: u64) -> Result<(), (u64, Broken)> {
-    let alone = to == from + 1;
-    if !alone {
+    if to > from + 1 {
         run.keep();
         let result = run.advance(from, to);
         if result.is_ok() && run.is_finite() {

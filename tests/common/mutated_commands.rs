@@ -78,7 +78,7 @@ const COMMANDS: [(&str, &str); 22] = [
 ];
 
 /// Options of every command.
-const EVERYWHERE: &str = "--jobs=1|2 --quiet --color=always|never --config=c.toml --engine-timeout=1 --engine-memory=100 --scene=free-rod|scene.toml --scheme=euler|peskin-rk2";
+const EVERYWHERE: &str = "--jobs=1|2 --quiet --color=always|never --config=c.toml --engine-timeout=1 --engine-memory=100 --input-limit=1 --scene=free-rod|scene.toml --scheme=euler|peskin-rk2";
 
 /// Values that few options take.
 const VALUES: [&str; 34] = [

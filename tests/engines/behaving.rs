@@ -190,10 +190,10 @@ fn laws_have_every_default_filled_in() {
     let output = polhode(&["run", &path.to_string_lossy(), "--scheme", &scheme, "--steps", "1"]);
     assert!(stderr(&output).contains("no"), "{}", stderr(&output));
     let asked = json(&stage.text("asked"));
-    let told = asked["forces"].as_array().expect("laws");
+    let sent = asked["forces"].as_array().expect("laws");
     let listed = json(&stdout(&polhode(&["list", "forces", "--format", "json"])));
     for (name, _) in laws {
-        let own = told.iter().find(|law| law["law"] == name).unwrap_or_else(|| panic!("{name}: {told:?}"));
+        let own = sent.iter().find(|law| law["law"] == name).unwrap_or_else(|| panic!("{name}: {sent:?}"));
         let parameters = listed.as_array().expect("rows").iter().filter(|row| row["law"] == name);
         let keys: Vec<&str> = parameters.filter_map(|row| row["parameter"].as_str()).collect();
         assert!(!keys.is_empty(), "{name}");

@@ -10,7 +10,7 @@ pub(super) fn csv(sweep: &Sweep, rows: &[Row]) -> String {
     let unit = sweep.quantity.unit().replace(' ', "_").replace('²', "2").replace('/', "_");
     let mut writer = csv::Writer::from_writer(Vec::new());
     let mut header = vec!["scheme".to_owned()];
-    // The step that was taken has a column of its own.
+    // The step that was taken has a column besides.
     header.extend(
         sweep.axes.iter().map(
             |axis| {

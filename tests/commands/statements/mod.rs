@@ -1,7 +1,7 @@
 //! What the command line promises, a row a statement, with a command that shows it.
 //!
-//! A row runs its command by bash in a folder of its own, where `polhode` is the program of this build, and looks at the exit code and at what
-//! was written. Where a test of its own holds a statement, the row names that test, and `every_test_that_a_row_names_exists` finds it.
+//! A row runs its command by bash in a new folder, where `polhode` is the program of this build, and looks at the exit code and at what
+//! was written. Where another test holds a statement, the row names that test, and `every_test_that_a_row_names_exists` finds it.
 
 #![cfg(unix)]
 

@@ -2,7 +2,7 @@
 
 use super::{Here, Statement, Test};
 
-pub const STATEMENTS: [Statement; 28] = [
+pub const STATEMENTS: [Statement; 30] = [
     Statement {
         says: "a report deletes and overwrites only what its manifest lists",
         command: "polhode report free-rod --scheme euler --out mine",
@@ -12,7 +12,7 @@ pub const STATEMENTS: [Statement; 28] = [
         ),
     },
     Statement {
-        says: "a report of other scenes goes to a folder of its own",
+        says: "a report of other scenes goes to another folder",
         command: "polhode report free-rod --scheme euler",
         shown: Test("tests/commands/files.rs", "a_report_of_one_scene_has_a_folder_of_its_own"),
     },
@@ -146,6 +146,16 @@ pub const STATEMENTS: [Statement; 28] = [
         says: "a scene of more than 64 MiB is 65",
         command: "head -c 65M /dev/zero | tr '\\0' '#' > big.toml; polhode run big.toml",
         shown: Here(65, |ran| ran.stderr.contains("64 MiB")),
+    },
+    Statement {
+        says: "a larger scene is read where the user says so",
+        command: "{ polhode scene show free-rod; head -c 65M /dev/zero | tr '\\0' '#'; } > big.toml; polhode run big.toml --steps 4 --input-limit 80",
+        shown: Here(0, |ran| ran.json()["steps"] == 4),
+    },
+    Statement {
+        says: "a smaller bound holds too",
+        command: "head -c 2M /dev/zero | tr '\\0' '#' > big.toml; polhode run big.toml --input-limit 1",
+        shown: Here(65, |ran| ran.stderr.contains("--input-limit")),
     },
     Statement {
         says: "a log without an end is 65 in bounded memory",
