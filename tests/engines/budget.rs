@@ -47,7 +47,7 @@ fn a_budget_cuts_the_runs_of_a_slow_engine_and_not_those_of_a_fast_one() {
     assert!(exit == 0 && of_budget(&verdicts).is_empty(), "{verdicts:?}");
     let (exit, verdicts, enough) = gate(0, &["--budget", "1e6"]);
     assert!(exit == 0 && of_budget(&verdicts).is_empty() && enough >= all, "{verdicts:?}");
-    // The estimate takes half a second, in which a busy machine is seen no more; all runs would take a minute and more.
+    // The estimate takes half a second, far longer than the delays of a busy machine; all runs would take a minute and more.
     let (exit, verdicts, few) = gate(20, &["--budget", "4"]);
     let budget = of_budget(&verdicts);
     assert_eq!(budget.len(), 1, "{verdicts:?}");
