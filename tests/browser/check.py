@@ -15,8 +15,11 @@ PAGE, PACKED_INDEX, SINGLE, RECORDS, MARKDOWN, FOLDER = 1_000_000, 300_000, 8_00
 DRAWN = """(async () => {
   const figures = [...document.querySelectorAll('figure.chart')].filter(one => one.querySelector('.packed'));
   for (const figure of figures) {
-    figure.scrollIntoView();
-    for (let n = 0; n < 500 && !figure.polhode; n++) await new Promise(done => setTimeout(done, 20));
+    for (let n = 0; n < 500 && !figure.polhode; n++) {
+      // Once is not enough: charts that are drawn above move it out of view.
+      figure.scrollIntoView();
+      await new Promise(done => setTimeout(done, 20));
+    }
   }
   scrollTo(0, 0);
   return figures.map(one => !!one.polhode);
