@@ -16,10 +16,10 @@ pub const MOST_OF_A_LOG: u64 = 1 << 30;
 /// Most bytes of a records file: a hundred times those of every scheme in every scene.
 pub const MOST_OF_RECORDS: u64 = 4 << 30;
 
-/// Most bytes of any input, where the user states them; 0 where not.
+/// Most bytes of an input of any kind but a log in a file, where the user states them; 0 where not.
 static STATED: AtomicU64 = AtomicU64::new(0);
 
-/// States the most MiB of any input.
+/// States the most MiB of an input.
 #[cfg(feature = "cli")]
 pub fn set_most(mebibytes: u64) {
     STATED.store(mebibytes << 20, Ordering::Relaxed);

@@ -3,7 +3,6 @@
 
 use nalgebra::Vector3;
 
-use super::climb::FEWEST_RUNGS;
 use super::copies;
 use super::ladder::ROUNDING_DIGITS;
 use super::order::{Asked, BELOW, Decision, Run, decide};
@@ -23,7 +22,9 @@ use crate::simulate::{Contestant, Form, Plan};
 const TUMBLING: f64 = 0.9;
 /// Radians turned in a step of the coarsest run.
 const COARSEST_TURN: f64 = 0.16;
-/// Runs at halved steps where the times are not settled, at most; as many as of a ladder at least.
+/// Runs at halved steps, at least, …
+const FEWEST_RUNGS: usize = 8;
+/// … and at most, where the times are not settled.
 const MOST_RUNGS: usize = 11;
 /// Runs, at the fine end, that must have the flips of the truth.
 pub const COUNTED: usize = 3;
