@@ -73,9 +73,8 @@ fn draw_floor(sketch: &mut Sketch, panel: &Panel, quantity: &Quantity) {
         let top = panel.along(floor.min(panel.y.high));
         sketch.area((left, top), (right, bottom), BAND);
     } else {
-        let level = number::joined(&number::significant(10f64.powf(floor), 1), quantity.unit);
-        let words = format!("↓ floor {level}");
-        // Under the frame, where nothing else is drawn: inside it stand curves and slopes.
+        // Without its unit, which stands above the frame, it leaves the middle to the name of the step; inside the frame stand curves and slopes.
+        let words = format!("↓ floor {}", number::significant(10f64.powf(floor), 1));
         sketch.text(&words, (right, bottom + 72.0), Anchor::End, TICK);
     }
 }

@@ -45,7 +45,7 @@ pub(super) fn sketch(records: &Records, palette: &Palette) -> Option<Sketch> {
     let columns = drifting.len().clamp(3, 4);
     let rows = drifting.len().div_ceil(columns);
     let (step, unit) = if in_radians { ("radians per step", "1/rad") } else { ("step h [s]", "1/s") };
-    let entries = entries(palette);
+    let entries = entries(palette, &drifting);
     let width = (LEFT + (PANEL.0 + GAP) * columns as f64 + 2.0 * MARGIN).max(LEAST);
     let strip = legend::height(&entries, width - 2.0 * MARGIN);
     let body = (PANEL.1 + HEAD) * rows as f64 + FOOT;
@@ -86,8 +86,10 @@ fn turn(records: &Records, drifting: &mut [Drifting]) -> bool {
     spins.is_some()
 }
 
-fn entries(palette: &Palette) -> Vec<Entry> {
-    let schemes = palette.schemes().iter();
+fn entries(palette: &Palette, drifting: &[Drifting]) -> Vec<Entry> {
+    let drawn =
+        |scheme: &str| drifting.iter().flat_map(|one| &one.curves).any(|curve| curve.scheme == scheme);
+    let schemes = palette.schemes().iter().filter(|scheme| drawn(scheme));
     let mut entries: Vec<Entry> =
         schemes.map(|scheme| Entry::new(Sign::Scheme(palette.look(scheme)), *scheme)).collect();
     entries.push(Entry::new(Sign::Filled, "grows"));
