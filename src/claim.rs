@@ -132,6 +132,8 @@ words! {
         DriftOnRecord = "drift-on-record",
         /// Evaluations of the forces in every run of the same step on record.
         WorkOnRecord = "work-on-record",
+        /// The claims on record.
+        ClaimsOnRecord = "claims-on-record",
         /// Runs that converge to the truth, in every scene.
         #[serde(alias = "consistency")]
         Converges = "converges",
@@ -196,6 +198,9 @@ impl ClaimName {
             ClaimName::WorkOnRecord => {
                 "No run takes more force evaluations than that of the same step in the baseline, to 1 %."
             }
+            ClaimName::ClaimsOnRecord => {
+                "Every claim in the baseline is still made. An order may be claimed higher than there."
+            }
             ClaimName::Converges => {
                 "The runs converge to the motion of the scene. Runs that converge to another motion fail, in every scene."
             }
@@ -224,6 +229,7 @@ impl ClaimName {
                 | ClaimName::ErrorOnRecord
                 | ClaimName::DriftOnRecord
                 | ClaimName::WorkOnRecord
+                | ClaimName::ClaimsOnRecord
         )
     }
 }
@@ -246,6 +252,17 @@ impl Claim {
             Claim::Equivariant => ClaimName::Equivariant,
             Claim::Evaluations(_) => ClaimName::Evaluations,
             Claim::Solves(_) => ClaimName::Solves,
+        }
+    }
+}
+
+impl Claim {
+    /// Whether what keeps this claim keeps the other.
+    pub fn contains(self, other: Claim) -> bool {
+        match (self, other) {
+            (Claim::Order(own), Claim::Order(other))
+            | (Claim::OrderWithoutTorque(own), Claim::OrderWithoutTorque(other)) => own >= other,
+            (own, other) => own == other,
         }
     }
 }

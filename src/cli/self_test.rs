@@ -69,13 +69,15 @@ pub(super) fn self_test(options: &Options, quiet: bool) -> Result<u8, Failure> {
 /// Defects by gates, a column a gate under its number, and what the numbers stand for.
 fn matrix(findings: &Findings) -> String {
     let gates: BTreeSet<&str> =
-        findings.outcomes.iter().flat_map(|o| o.caught_by.iter().map(String::as_str)).collect();
+        findings.outcomes.iter().flat_map(|o| o.caught_by.iter().map(|gate| kind(gate))).collect();
     let mut table = Table::new();
     table.load_preset(presets::NOTHING);
     let numbers = (1..=gates.len()).map(|number| number.to_string());
     table.set_header(["defect".to_owned(), "in".to_owned()].into_iter().chain(numbers));
     for outcome in &findings.outcomes {
-        let caught = |gate: &&str| if outcome.caught_by.contains(*gate) { "×" } else { "·" };
+        let caught = |column: &&str| {
+            if outcome.caught_by.iter().any(|gate| kind(gate) == *column) { "×" } else { "·" }
+        };
         let cells = gates.iter().map(caught);
         table.add_row([outcome.name.as_str(), outcome.place].into_iter().chain(cells));
     }
@@ -84,6 +86,11 @@ fn matrix(findings: &Findings) -> String {
     }
     let key: String = gates.iter().zip(1..).map(|(gate, number)| format!("\n  {number:2}  {gate}")).collect();
     format!("{table}\n\n×: the gate of this number goes red{key}")
+}
+
+/// The gate, or for a judge that a made-up ladder exposes all ladders together.
+fn kind(gate: &str) -> &str {
+    gate.split_once(": ").map_or(gate, |(kind, _)| kind)
 }
 
 fn summary(findings: &Findings) -> String {

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+use crate::claim::Claim;
 use crate::measure::{Asked, Decision, decide};
 use crate::quantity::{PerQuantity, Quantity};
 use crate::record::{EnergyDrift, Evidence, Records};
@@ -36,6 +37,8 @@ pub struct Recorded {
 /// The record of a scheme in a scene beside its errors.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RecordedCell {
+    /// What the scheme claimed.
+    pub claims: Vec<Claim>,
     /// (h, evaluations of the forces) of every run.
     pub work: Vec<(f64, u64)>,
     /// The drift of the energy, where it was measured.
@@ -103,7 +106,8 @@ impl Baseline {
         }
         let whole = evidence.ladder.rungs.iter().filter(|rung| rung.broken.is_none());
         let work = whole.map(|rung| (rung.step, rung.evaluations)).collect();
-        self.cells.insert(cell, RecordedCell { work, drift: evidence.drift.clone() });
+        let (claims, drift) = (evidence.claims.clone(), evidence.drift.clone());
+        self.cells.insert(cell, RecordedCell { claims, work, drift });
     }
 
     /// The constants of this version, for the built-in scenes: references/constants.json.

@@ -1,7 +1,8 @@
-//! What was measured beside what is on record: the order first, then the error constant, the error of every run of the same step, the drift of the
-//! energy and the work.
+//! What was measured beside what is on record: the order first, then the error constant, the error of every run of the same step, the claims, the
+//! drift of the energy and the work.
 
 use super::{Baseline, ruled};
+use crate::claim::Claim;
 use crate::measure::{Asked, BELOW, Decision, Run, SAME_TIME};
 use crate::model::Quantity;
 use crate::record::{ClaimName, DriftClass, EnergyDrift, EnergyRung, Evidence, Ruling, Verdict};
@@ -129,13 +130,30 @@ fn judge_errors(evidence: &Evidence, quantity: Quantity, baseline: &Baseline) ->
     })
 }
 
-/// Drift and work of a scheme in a scene.
+/// Claims, drift and work of a scheme in a scene.
 pub(super) fn judge_cell(evidence: &Evidence, baseline: &Baseline) -> Vec<Verdict> {
     let Some(recorded) = baseline.cell(&evidence.setting.content, &evidence.known_as) else {
         return Vec::new();
     };
     let drift = recorded.drift.as_ref().and_then(|known| judge_drift(evidence, known));
-    [judge_work(evidence, &recorded.work), drift].into_iter().flatten().collect()
+    let claims = judge_claims(evidence, &recorded.claims);
+    [claims, judge_work(evidence, &recorded.work), drift].into_iter().flatten().collect()
+}
+
+/// The claims against those on record: what is not claimed is not judged, and a gate that no longer judges is not green. `None` where none is
+/// on record.
+fn judge_claims(evidence: &Evidence, recorded: &[Claim]) -> Option<Verdict> {
+    let made = |known: &&Claim| evidence.claims.iter().any(|claim| claim.contains(**known));
+    let (made, gone): (Vec<&Claim>, Vec<&Claim>) = recorded.iter().partition(made);
+    let rule = |ruling, detail| ruled(evidence, ClaimName::ClaimsOnRecord, "claims", ruling, detail);
+    let verdict = if gone.is_empty() {
+        rule(Ruling::Pass, format!("{} of {} claims are made", made.len(), recorded.len()))
+    } else {
+        let gone: Vec<String> = gone.iter().map(ToString::to_string).collect();
+        rule(Ruling::Fail, format!("no longer claimed: {}", gone.join("; ")))
+    };
+    let (now, known) = (made.len() as f64, recorded.len() as f64);
+    (!recorded.is_empty()).then_some(Verdict { measured: Some(now), low: Some(known), ..verdict })
 }
 
 /// The evaluations of every run against those of the same step on record.

@@ -189,7 +189,8 @@ impl LongRuns<'_> {
         self.most == MOST_STEPS
     }
 
-    /// The runs in an arithmetic, until the order of the rate is decided or there is none; `None` where one breaks.
+    /// The runs in an arithmetic, until a finer run confirms the order of the rate or there is none; `None` where one breaks. The first runs that
+    /// seem to have an order may have it by chance.
     fn ladder<T: Arithmetic>(
         &self,
         rotor: &System<T>,
@@ -198,8 +199,13 @@ impl LongRuns<'_> {
     ) -> Result<Option<Vec<EnergyRung>>, LeftOut> {
         let mut drift = EnergyDrift::default();
         let (mut flat, mut taken, mut turn) = (0, 0, COARSEST_TURN);
-        while flat < FLAT && !matches!(rate_order(&drift), Decision::Order(_)) {
+        let (mut order, mut confirmed) = (None, false);
+        while flat < FLAT && !confirmed {
             let steps = ((self.long * self.spin / turn).ceil() as u64).div_ceil(SAMPLES) * SAMPLES;
+            turn /= RATIO;
+            if drift.rungs.last().is_some_and(|coarser| coarser.steps == steps) {
+                continue;
+            }
             taken += steps;
             if taken > most {
                 break;
@@ -212,8 +218,11 @@ impl LongRuns<'_> {
             };
             let is_settled = is_flat(&rung, self.long) || !self.secular() && is_bounded(&rung, self.long);
             flat = if is_settled { flat + 1 } else { 0 };
-            turn /= RATIO;
             drift.rungs.push(rung);
+            let found =
+                if let Decision::Order(found) = rate_order(&drift) { Some(found.order) } else { None };
+            confirmed = found.is_some() && found == order;
+            order = found;
         }
         Ok(Some(drift.rungs))
     }

@@ -229,7 +229,7 @@ pub fn from_matrix<T: Real>(matrix: &Matrix3<T>) -> Rotation<T> {
 }
 
 /// The rotation R that best carries `from` onto `to`: the minimum of Σ |to_k − R from_k|² weighted by `weights`
-/// (Wahba's problem, solved by the singular value decomposition of Σ w to fromᵀ). A plane or a line of points
+/// (Wahba's problem, solved by the singular value decomposition of Σ w to fromᵀ and a step of Newton's method). A plane or a line of points
 /// is enough; about a line the angle is the one of least turning.
 pub fn best_fit<T: Real>(from: &[Vector3<T>], to: &[Vector3<T>], weights: &[T]) -> Rotation<T> {
     let mut moment: Matrix3<T> = Matrix3::zeros();
@@ -240,7 +240,8 @@ pub fn best_fit<T: Real>(from: &[Vector3<T>], to: &[Vector3<T>], weights: &[T]) 
     if scale == 0.0 || !scale.is_finite() {
         return Rotation::identity();
     }
-    let decomposition = (moment / scale).svd(true, true);
+    let moment = moment / scale;
+    let decomposition = moment.svd(true, true);
     let (Some(u), Some(v_transposed)) = (decomposition.u, decomposition.v_t) else {
         return Rotation::identity();
     };
@@ -253,7 +254,16 @@ pub fn best_fit<T: Real>(from: &[Vector3<T>], to: &[Vector3<T>], weights: &[T]) 
     }
     let handedness = (u * v_transposed).determinant().signum();
     let mirror = Matrix3::from_diagonal(&Vector3::new(T::one(), T::one(), handedness));
-    from_matrix(&(u * mirror * v_transposed))
+    nearer(from_matrix(&(u * mirror * v_transposed)), &moment)
+}
+
+/// A step of Newton's method towards the rotation R that makes Rᵀ M symmetric, from one that nearly does. With N = Rᵀ M it turns by θ about body
+/// axes, (tr N E − N) θ = the axis of N − Nᵀ. The decomposition squares M: of points close to a line it loses the turn about that line.
+fn nearer<T: Real>(rotation: Rotation<T>, moment: &Matrix3<T>) -> Rotation<T> {
+    let seen = axes(&rotation).transpose() * moment;
+    let off = Vector3::new(seen.m32 - seen.m23, seen.m13 - seen.m31, seen.m21 - seen.m12);
+    let curvature = Matrix3::from_diagonal_element(seen.trace()) - (seen + seen.transpose()) / T::of(2.0);
+    curvature.try_inverse().map_or(rotation, |inverse| renormalized(rotation * turn(&(inverse * off))))
 }
 
 /// The least rotation that carries one unit vector onto another: (1 + a·b, a × b), scaled to length one. An angle from the inverse

@@ -1,6 +1,7 @@
 //! The conventions, and the quick forms beside the plain ones.
 
 use super::*;
+use crate::arithmetic::DoubleDouble;
 use std::f64::consts::PI;
 
 #[test]
@@ -198,6 +199,26 @@ fn the_best_fit_finds_the_rotation_of_solids_plates_and_rods() {
     let turned = rod.map(|p| rotation * p);
     let found = best_fit(&rod, &turned, &[1.0, 2.0]);
     assert!((found * rod[0] - turned[0]).norm() < 1e-14);
+}
+
+/// How far the best fit of a body that is a thousand times as long as wide is off [rad].
+fn off_about_a_line<T: Real>() -> f64 {
+    let vector = |x: f64, y: f64, z: f64| Vector3::new(x, y, z).map(T::of);
+    let rotation = turn(&vector(0.7, -1.9, 0.4));
+    let axes = turn(&vector(-0.3, 0.2, 1.1));
+    let points =
+        [vector(1000.0, 0.0, 0.0), vector(-1000.0, 1.0, 0.0), vector(0.0, 0.0, 1.0), vector(0.0, -1.0, -1.0)];
+    let points = points.map(|point| axes * point);
+    let turned = points.map(|point| rotation * point);
+    angle_between(&best_fit(&points, &turned, &[T::one(); 4]), &rotation).to_f64()
+}
+
+#[test]
+fn the_best_fit_of_a_thin_body_is_as_good_as_the_sums_that_it_is_made_from() {
+    // A sum over the points is off by a unit of the largest square, which is a million times the smallest.
+    let condition = 1e6;
+    assert!(off_about_a_line::<f64>() < 4.0 * condition * f64::UNIT);
+    assert!(off_about_a_line::<DoubleDouble>() < 4.0 * condition * DoubleDouble::UNIT);
 }
 
 #[test]

@@ -2,7 +2,6 @@
 
 use super::planted::{Plant, Row};
 use crate::arithmetic::Real;
-use crate::claim::{Claim, Quantity, When};
 use crate::model::{Broken, Model, Motion, Rates, Turning};
 use crate::rotation::{self, free_rotor};
 use crate::schemes::{Card, ExactRotor, PeskinRk2, Scheme, Step, TurningScheme};
@@ -104,7 +103,7 @@ struct GrowingMomentum;
 
 impl TurningScheme for GrowingMomentum {
     fn card(&self) -> Card {
-        Card { claims: &[Claim::Exact(Quantity::AngularMomentum, When::NoTorque)], ..ExactRotor.card() }
+        ExactRotor.card()
     }
 
     const STATES: usize = 0;

@@ -2,7 +2,7 @@
 
 use super::planted::{Plant, Row};
 use crate::model::{Broken, Model};
-use crate::schemes::{Card, Claim, PeskinRk2, PeskinRk4, Scheme, Step};
+use crate::schemes::{Card, PeskinRk2, PeskinRk4, Scheme, Step};
 use crate::simulate::Contestant;
 
 /// Faint defects, and the scenes that show them.
@@ -33,9 +33,7 @@ impl<const PARTS: u32> Scheme for Contaminated<PARTS> {
                 _ => PeskinRk2.card().name,
             },
             title: "Peskin's scheme with a part of Euler's",
-            family: "test",
-            source: "none",
-            claims: &[Claim::Order(2)],
+            ..PeskinRk2.card()
         }
     }
 
@@ -58,7 +56,7 @@ struct OffCoefficient;
 
 impl Scheme for OffCoefficient {
     fn card(&self) -> Card {
-        Card { claims: &[Claim::Order(4)], ..PeskinRk4.card() }
+        PeskinRk4.card()
     }
 
     const STATES: usize = 2;

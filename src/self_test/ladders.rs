@@ -97,10 +97,12 @@ rows! {
     "rounding that grows as the step falls", 4, Pass, (0..14).map(|k| 0.5f64.powi(k)).map(|h| (h, h.powi(4) + 1e-13 / h, 1e-13 / h)).collect();
     "a limit that is not known for rounding", 4, Fail, ladder(14, 0.0, |h| h.powi(4) + 1e-9);
     "all at rounding", 2, NotApplicable, ladder(10, 1e-15, |_| 1e-15);
+    "no error at any step", 2, NotApplicable, ladder(10, 1e-15, |_| 0.0);
     "a hump before the asymptotic range", 2, Pass, ladder(14, 0.0, |h| h * h / (1.0 + (h / 0.05).powi(3)));
     "a plateau before the asymptotic range", 2, Pass, ladder(14, 0.0, |h| h * h / (h * h + 1e-3));
     "third order at first, then first", 3, Fail, ladder(20, 0.0, |h| h.powi(3) + 1e-4 * h);
     "NaN at the finest steps", 2, Broken, halved(|h| if h < 0.01 { f64::NAN } else { h * h });
+    "infinite at the finest step", 2, Broken, halved(|h| if h < 0.002 { f64::INFINITY } else { h * h });
     "NaN in the middle", 2, Pass, halved(|h| if h == 0.125 { f64::NAN } else { h * h });
     "NaN at every step", 2, Broken, halved(|_| f64::NAN);
     "infinite at the coarse steps", 2, Pass, halved(|h| if h > 0.2 { f64::INFINITY } else { h * h });
@@ -109,6 +111,7 @@ rows! {
     "first order with noise of a hundredth", 2, Fail, noisy(4, 10, 0.01, |h| h);
     "every other error doubled", 1, Inconclusive, halved(|h| if (h.log2() as i64) % 2 == 0 { h } else { 2.0 * h });
     "every other error of the other sign", 1, Inconclusive, halved(|h| if (h.log2() as i64) % 2 == 0 { h } else { -h });
+    "every other pair of errors of the other sign", 2, Inconclusive, halved(|h| if (h.log2() as i64) / 2 % 2 == 0 { h * h } else { -h * h });
     "the coarsest rung alone is good", 2, Fail, halved(|h| if h == 1.0 { 4.0 } else { h });
     "four rungs of second order", 2, Pass, ladder(4, 0.0, |h| h * h);
     "three rungs of second order", 2, Inconclusive, ladder(3, 0.0, |h| h * h);

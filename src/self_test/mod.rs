@@ -158,7 +158,7 @@ fn exposed(judge: &judges::WrongJudge) -> Outcome {
     Outcome {
         name: format!("judge that {}", judge.name),
         place: "judge",
-        caught_by: judge.exposed_by().map(|row| format!("ladder-{}", row.right)).collect(),
+        caught_by: judge.exposed_by().map(|row| format!("ladder: {}", row.name)).collect(),
         scenes: Vec::new(),
     }
 }

@@ -24,7 +24,7 @@ pub(super) enum Plant {
     Start(fn(&mut System)),
     /// What a run shows is not its state.
     Shown(fn(&mut Snapshot, &System)),
-    /// Claims of the scheme of this name that it does not keep.
+    /// Claims of the scheme of this name that it does not keep, in the place of those that they exclude.
     Claims(&'static str, &'static [Claim]),
     /// The reference is another motion.
     Reference(fn(&mut Reference)),
@@ -37,6 +37,7 @@ impl Plant {
     pub fn scheme(&self) -> &'static str {
         match self {
             Plant::Other(contestant) => contestant().card.name,
+            Plant::Claims(name, _) => name,
             _ => PeskinRk2.card().name,
         }
     }

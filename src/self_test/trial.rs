@@ -65,12 +65,21 @@ fn bent(
     })
 }
 
-/// A scheme with these claims in place of its own, and a name that no known deviation and no constant on record knows.
+/// Whether a card makes one of the two claims: it has one order, and says once how the energy changes.
+fn exclude(one: Claim, other: Claim) -> bool {
+    let order = |claim| matches!(claim, Claim::Order(_) | Claim::SolvesAnotherMotion);
+    let exact = matches!(one, Claim::Exact(..));
+    (order(one) && order(other)) || (one.name() == other.name() && !exact)
+}
+
+/// A scheme with these claims in the place of those that they exclude.
 fn claiming(name: &str, claims: &'static [Claim]) -> Contestant {
     let all = Contestant::all();
     let mut scheme =
         all.into_iter().find(|c| c.card.name == name).unwrap_or_else(|| Contestant::new(PeskinRk2));
-    scheme.card = Card { name: "claimant", claims, ..scheme.card };
+    let other = |own: &&Claim| !claims.iter().any(|claim| exclude(*claim, **own));
+    let all: Vec<Claim> = scheme.card.claims.iter().filter(other).chain(claims).copied().collect();
+    scheme.card = Card { claims: all.leak(), ..scheme.card };
     scheme
 }
 

@@ -47,7 +47,15 @@ fn a_gate_against_its_own_baseline_compares_everything() {
     let output = polhode_in(folder.path(), &[&gate[..], &["polhode-baseline.json"]].concat());
     assert_eq!(code(&output), 0, "{}", stdout(&output));
     let verdicts = read(&folder.path().join("now.json"))["verdicts"].as_array().expect("rows").clone();
-    for claim in ["order-on-record", "constant", "error-on-record", "drift-on-record", "work-on-record"] {
+    let on_record = [
+        "order-on-record",
+        "constant",
+        "error-on-record",
+        "drift-on-record",
+        "work-on-record",
+        "claims-on-record",
+    ];
+    for claim in on_record {
         let own: Vec<&Value> = verdicts.iter().filter(|verdict| verdict["claim"] == claim).collect();
         assert!(
             !own.is_empty() && own.iter().all(|verdict| verdict["verdict"] == "pass"),

@@ -148,6 +148,13 @@ impl Made {
         self
     }
 
+    /// On record as it is.
+    pub fn is_its_record(mut self) -> Made {
+        let evidence = vec![Arc::new(self.evidence.clone())];
+        self.baseline = Baseline::from_records(&Records { evidence, ..Records::default() });
+        self
+    }
+
     /// Every verdict.
     pub fn judge(&self) -> Vec<Verdict> {
         gates::judge(&self.evidence, &self.baseline)

@@ -15,6 +15,7 @@ mod exactness;
 mod flips;
 mod orders;
 mod programs;
+mod recorded_claims;
 mod sameness;
 mod statistics;
 mod tolerances;

@@ -170,6 +170,7 @@ fn said_of(records: &Records) -> Vec<String> {
         (ClaimName::ErrorOnRecord, "quantities over all runs"),
         (ClaimName::DriftOnRecord, "drifts"),
         (ClaimName::WorkOnRecord, "counts of work"),
+        (ClaimName::ClaimsOnRecord, "lists of claims"),
     ];
     kinds.into_iter().filter_map(|(claim, what)| line(claim, what)).collect()
 }
