@@ -258,11 +258,20 @@ pub fn flips(
         let own = found(system);
         let uncertainty = own.uncertainty();
         let times = own.every.times;
-        let copies: Vec<Vec<f64>> = copies.iter().map(|copy| found(copy).every.times).collect();
-        let rounding = rounding(&times, &copies);
-        flips.rungs.push(FlipRung { step: plan.step, steps, times, uncertainty, rounding });
+        flips.rungs.push(FlipRung { step: plan.step, steps, times, uncertainty, rounding: Vec::new() });
+        if index + 1 >= FEWEST_RUNGS {
+            let copies: Vec<Vec<f64>> = copies.iter().map(|copy| found(copy).every.times).collect();
+            add_rounding(&mut flips.rungs, &copies);
+        }
     }
     Some(flips)
+}
+
+/// Gives the finest run the roundings that its copies show, and the coarser ones that have none the same: a run of fewer steps rounds no more.
+fn add_rounding(rungs: &mut [FlipRung], copies: &[Vec<f64>]) {
+    let Some(rounding) = rungs.last().map(|finest| rounding(&finest.times, copies)) else { return };
+    let without = rungs.iter_mut().rev().take_while(|rung| rung.rounding.is_empty());
+    without.for_each(|rung| rung.rounding.clone_from(&rounding));
 }
 
 /// The largest distance of a flip of a copy from that of the run; infinite for a flip that not all have.
