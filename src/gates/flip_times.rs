@@ -4,7 +4,7 @@
 //! times may exceed that of the scheme: what is asked is that they converge at least as fast as claimed.
 
 use super::ruled;
-use crate::measure::flips::{COUNTED, flip_order, is_complete, is_open};
+use crate::measure::flips::{COUNTED, flip_order, is_complete, is_open, is_unknown};
 use crate::measure::{Decision, Doubt};
 use crate::record::{ClaimName, Evidence, FlipRung, Flips, Rule, Ruling, Verdict};
 
@@ -26,6 +26,12 @@ pub(super) fn judge(evidence: &Evidence) -> Verdict {
             "{truth} flips in truth: roundings grow until they decide when the body flips; a shorter run would decide it"
         );
         return rule(Ruling::Inconclusive, detail).by(Rule::Open);
+    }
+    if !complete && is_unknown(flips) {
+        let known = flips.truth.uncertainty;
+        let detail =
+            format!("{truth} flips in truth, known to {known:.1e} s: a better reference would decide it");
+        return rule(Ruling::Inconclusive, detail).by(Rule::NoReference);
     }
     if !complete {
         let (ruling, detail) = miscounted(flips, fine);

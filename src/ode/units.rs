@@ -6,8 +6,10 @@
 //! spin    max(|ω₀|, √(|τ₀|/I), 1/T)
 //! length  max(extent, distance to what the forces hang on)
 //! speed   max(|U₀|, √(|F₀/M| length), length/T)
-//! time    1 / max(spin, speed/length)
+//! time    1 / max(spin, speed/length), where forces hang on something; 1 / spin elsewhere
 //! ```
+//!
+//! Where no force depends on the place nothing happens in the time length/speed, and a fast body has nothing that fast.
 //!
 //! All are powers of two: scaling by them does not round.
 
@@ -56,7 +58,8 @@ impl Units {
         let length = power_of_two(length);
         let speed = largest(&[start_speed, (acceleration * length).sqrt(), length / duration]);
         let (spin, speed) = (power_of_two(spin), power_of_two(speed));
-        let time = power_of_two(1.0 / spin.max(speed / length));
+        let passing = if hangs(system) { speed / length } else { 0.0 };
+        let time = power_of_two(1.0 / spin.max(passing));
         Units { length, speed, spin, inertia, time }
     }
 }
@@ -72,6 +75,12 @@ fn load_at_start(system: &System) -> Load {
     let spin = start.orientation * (system.body.inverse_inertia() * momentum);
     let velocity = if system.body.pivoted { Vector3::zeros() } else { start.velocity };
     system.forces.load_on_points(0.0, &placed.cloud(system.origin(), velocity, spin))
+}
+
+/// Whether a force depends on the place.
+fn hangs(system: &System) -> bool {
+    let mut parameters = system.forces.laws().iter().flat_map(Law::arguments).map(|(parameter, _)| parameter);
+    parameters.any(|parameter| matches!(parameter.nature, Nature::Place | Nature::Height))
 }
 
 /// How far away the things are that forces hang on [m].

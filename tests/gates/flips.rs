@@ -77,6 +77,23 @@ fn times_at_what_they_may_be_off_by_are_right() {
 }
 
 #[test]
+fn a_truth_that_may_have_another_number_of_flips_fails_no_count() {
+    // The flips lie ten seconds apart, and the end as far from the last.
+    for (uncertainty, end, expected) in [
+        (0.99, 50.0, Fail),
+        (1.01, 50.0, Inconclusive),
+        (0.99, 49.0, Inconclusive),
+        (f64::INFINITY, 50.0, Inconclusive),
+    ] {
+        let mut made = late(&power(2.0));
+        flips(&mut made).truth.uncertainty = uncertainty;
+        flips(&mut made).duration = end;
+        flips(&mut made).rungs.iter_mut().for_each(|rung| rung.times.truncate(1));
+        assert_eq!(ruling(&made), expected, "{uncertainty} s, {end} s");
+    }
+}
+
+#[test]
 fn flips_are_as_many_as_in_truth_at_the_three_finest_steps() {
     for run in 0..RUNS {
         let mut made = late(&power(2.0));

@@ -78,7 +78,7 @@ impl<'a> Problem<'a> {
     }
 
     /// The same in units that are given.
-    fn in_units(system: &'a System, scale: Scale, nudge: f64) -> Problem<'a> {
+    pub(super) fn in_units(system: &'a System, scale: Scale, nudge: f64) -> Problem<'a> {
         let sheet = Sheet::default();
         let matter = Matter::of(&system.body, &scale).nudged(nudge);
         let mut variables = Variables::default();

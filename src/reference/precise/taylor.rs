@@ -145,16 +145,52 @@ impl Run<'_> {
     }
 }
 
-/// (2), rounded to 24 bits so that times add up exactly.
+/// Coefficients below this size lose digits of a double-double number to the end of its range.
+const LOST: f64 = f64::MIN_POSITIVE / DoubleDouble::ROUNDING;
+
+/// (2), rounded to 24 bits so that times add up exactly. Where the last coefficients have left the range of f64 the last one before them tells the
+/// step. Those of a polynomial are zero, too, but after one that is not on its way there.
 fn step(series: &Series, problem: &Problem, control: &Control) -> f64 {
     let order = control.order;
-    let norms = [order - 2, order - 1, order].map(|k| (k, series.largest(k, &problem.sizes)));
+    let norm = |k: usize| (k, series.largest(k, &problem.sizes));
     let of = |(k, norm): (usize, f64)| {
         if norm == 0.0 { LONGEST } else { (control.tolerance / norm).powf(1.0 / k as f64) }
     };
-    let steps = norms.map(of);
+    let last = [order - 2, order - 1, order].map(norm);
+    let lost = last.iter().all(|(_, norm)| *norm < LOST);
+    let before = || (1..order - 2).rev().map(norm).find(|(_, norm)| *norm > LOST);
+    let leaving = if lost { before().filter(|(_, norm)| *norm < LOST.sqrt()) } else { None };
+    let steps = leaving.map_or(last.map(of), |before| [of(before); 3]);
     if steps.iter().any(|step| step.is_nan()) {
         return f64::NAN;
     }
     f64::from(steps.into_iter().fold(LONGEST, f64::min) as f32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::reference::precise::scale::Scale;
+    use crate::scenes::Scene;
+
+    /// The quaternion at 1 s, in units whose second is so many of the scene's own.
+    fn turned(second: f64) -> Vec<f64> {
+        let system = Scene::find("free-asymmetric").expect("built in").system;
+        let own = Scale::of(&system, 1.0);
+        let (time, speed, momentum) = (own.time * second, own.speed * second, own.momentum * second);
+        let problem = Problem::in_units(&system, Scale { time, speed, momentum, ..own }, 0.0);
+        let control = Control { order: 38, tolerance: 1e-33 };
+        let course = along(&problem, 0.0, &[1.0], &control, f64::INFINITY).expect("a run");
+        let first = problem.quaternion.expect("it turns");
+        course.states[0][first..first + 4].iter().map(|x| x.to_f64()).collect()
+    }
+
+    #[test]
+    fn a_series_whose_last_terms_leave_the_range_of_f64_goes_no_further_than_it_may() {
+        let expected = turned(1.0);
+        // 2^-30 to the 38th power is 1e-343.
+        for second in [0.5f64.powi(20), 0.5f64.powi(30), 0.5f64.powi(40)] {
+            assert_eq!(turned(second), expected, "{second}");
+        }
+    }
 }
