@@ -14,7 +14,7 @@ use super::copies;
 use super::reversal::worst;
 use super::{BELOW, CLEAR, Rung, steady_rung};
 use crate::arithmetic::{DoubleDouble, Real};
-use crate::model::{Change, PerQuantity, Quantity, Snapshot, System, difference, retold, sizes};
+use crate::model::{Broken, Change, PerQuantity, Quantity, Snapshot, System, difference, retold, sizes};
 use crate::record::OtherWorld;
 use crate::rotation;
 use crate::simulate::{Arithmetic, Contestant, Form, Plan};
@@ -73,9 +73,9 @@ impl Compared<'_> {
     /// `of_least` is the rounding of the least model in f64.
     fn rows<T: Arithmetic>(&self, of_least: PerQuantity<f64>) -> Vec<OtherWorld> {
         let Ok(system) = System::<T>::of(self.system) else { return Vec::new() };
-        let Some(own) = self.end(&system, Form::Least, self.step) else { return Vec::new() };
+        let Ok(own) = self.end(&system, Form::Least, self.step) else { return Vec::new() };
         let takes_points = self.contestant.takes_points();
-        let own_of_points = if takes_points { self.end(&system, Form::Points, self.step) } else { None };
+        let own_of_points = if takes_points { self.end(&system, Form::Points, self.step).ok() } else { None };
         let of_points = own_of_points.map(|_| self.rounding(Form::Points).0);
         let row = |world: World<T>| {
             let (own, rounding) = match world.form {
@@ -104,7 +104,8 @@ impl Compared<'_> {
             ..OtherWorld::default()
         };
         let other = self.end(&world.system, world.form, world.step);
-        if let Some(other) = other.map(|end| world.change.undo(&end)) {
+        row.unsolved = matches!(other, Err(Some(Broken::NoConvergence { .. })));
+        if let Ok(other) = other.map(|end| world.change.undo(&end)) {
             let off = if *own == other {
                 PerQuantity::all(0.0)
             } else {
@@ -117,12 +118,20 @@ impl Compared<'_> {
         row
     }
 
-    /// The end of the run; `None` where it breaks.
-    fn end<T: Arithmetic>(&self, system: &System<T>, form: Form, step: f64) -> Option<Snapshot<T>> {
+    /// The end of the run, or why it breaks.
+    fn end<T: Arithmetic>(
+        &self,
+        system: &System<T>,
+        form: Form,
+        step: f64,
+    ) -> Result<Snapshot<T>, Option<Broken>> {
         let mut end = None;
         let plan = Plan { step, steps: self.steps, every: self.steps };
         let outcome = self.contestant.stream_in(system, form, &plan, &mut |state| end = Some(*state));
-        if outcome.broken.is_none() { end } else { None }
+        match outcome.broken {
+            Some(broken) => Err(Some(broken.why)),
+            None => end.ok_or(None),
+        }
     }
 
     /// What rounding does to the run in f64, and how large everything gets.

@@ -201,12 +201,14 @@ pub(super) struct OtherWorlds {
     numbers: String,
 }
 
-/// Letters of [`OtherWorlds::kind`]: those of the second half are in double-double.
-const KINDS: [char; 4] = ['-', 'b', 'd', 'e'];
+/// Letters of [`OtherWorlds::kind`]: every second one to the bit, every second pair in double-double, the second half not solved.
+const KINDS: [char; 8] = ['-', 'b', 'd', 'e', 'u', 'v', 'w', 'x'];
 
 impl OtherWorld {
     fn kind(&self) -> char {
-        KINDS[usize::from(self.to_the_bit) + 2 * usize::from(self.double_double)]
+        KINDS[usize::from(self.to_the_bit)
+            + 2 * usize::from(self.double_double)
+            + 4 * usize::from(self.unsolved)]
     }
 
     fn quantity(&self) -> char {
@@ -256,7 +258,8 @@ impl Columns for OtherWorld {
             worst: quantities[index].map(|quantity| (quantity, worst[index])),
             steps: steps[index],
             solves: at(&written.solves, index),
-            double_double: kinds[index] >= 2,
+            double_double: kinds[index] / 2 % 2 == 1,
+            unsolved: kinds[index] >= 4,
         };
         whole.then(|| (0..count).map(row).collect())
     }
@@ -287,6 +290,7 @@ mod tests {
             worst: Some((Quantity::Orientation, 1.0 / 3.0)),
             steps: 16,
             double_double: true,
+            unsolved: true,
             ..OtherWorld::default()
         };
         let gone = OtherWorld { name: "shifted".into(), ..OtherWorld::default() };

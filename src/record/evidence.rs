@@ -411,6 +411,9 @@ pub struct OtherWorld {
     pub of_rounding: Option<f64>,
     /// The quantity that it belongs to, and the difference in its unit.
     pub worst: Option<(Quantity, f64)>,
+    /// Whether the run broke since an implicit equation was not solved.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub unsolved: bool,
     /// Steps of the run.
     pub steps: u64,
     /// Implicit equations that were solved in the scene's own world.

@@ -45,7 +45,7 @@ fn world(to_the_bit: bool, of_rounding: Option<f64>, solves: u64) -> Made {
     let mut made = Made::new("free-asymmetric", &[Claim::Equivariant]);
     let (name, worst) = ("turned".to_owned(), of_rounding.map(|_| (Quantity::Position, 1e-15)));
     made.evidence.other_worlds =
-        vec![OtherWorld { name, to_the_bit, of_rounding, worst, steps: 25, solves, double_double: false }];
+        vec![OtherWorld { name, to_the_bit, of_rounding, worst, steps: 25, solves, ..OtherWorld::default() }];
     made
 }
 
@@ -71,7 +71,11 @@ fn there_and_back_and_other_worlds_may_differ_by_roundings_and_what_solves_leave
     assert_eq!(numbers(&reversal(Some(3.0), 0, 0.0).verdict(Reversible, "there-and-back"))[0], Some(3.0));
     // A run that broke on the way back is broken; one that breaks in another world alone is not the same.
     assert_eq!(reversal(None, 100, 0.0).ruling(Reversible, "there-and-back"), Broken);
-    assert_eq!(world(false, None, 100).ruling(Equivariant, "other-worlds"), Fail);
+    let mut elsewhere = world(false, None, 100);
+    assert_eq!(elsewhere.ruling(Equivariant, "other-worlds"), Fail);
+    // Where an equation is not solved there, nothing is known.
+    elsewhere.evidence.other_worlds[0].unsolved = true;
+    assert_eq!(elsewhere.ruling(Equivariant, "other-worlds"), Inconclusive);
 }
 
 #[test]
