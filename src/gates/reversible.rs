@@ -15,6 +15,10 @@ pub(super) fn judge(evidence: &Evidence) -> Verdict {
         );
     };
     let (Some(of_rounding), Some((quantity, distance))) = (reversal.of_rounding, reversal.worst) else {
+        if reversal.unsolved {
+            let detail = "an implicit equation is not solved there or back: a smaller step would decide it";
+            return rule(Ruling::Inconclusive, detail).by(Rule::NotSolved);
+        }
         return rule(Ruling::Broken, "the run there or back broke");
     };
     if CLEAR * reversal.open > BELOW {

@@ -320,18 +320,23 @@ pub fn start_allows(ladder: &record::Ladder, quantity: Quantity) -> f64 {
     CLEAR * (ladder.arithmetic + ladder.printed) * ladder.sizes[quantity]
 }
 
-/// The digits that the evidence keeps: all of them where runs converge to another motion, which their small differences show.
+/// The digits that the evidence keeps: all of them where runs converge to another motion, which their small differences show, or would seem to
+/// with fewer digits.
 pub(super) fn shortened(ladder: &mut record::Ladder) {
-    let goes_elsewhere =
-        |quantity| matches!(decide(&Asked::of(ladder, quantity)), Decision::Elsewhere { .. });
-    if Quantity::ALL.into_iter().any(goes_elsewhere) {
-        return;
-    }
-    for rung in ladder.rungs.iter_mut().chain(&mut ladder.odd) {
+    let goes_elsewhere = |ladder: &record::Ladder| {
+        let is_elsewhere =
+            |quantity| matches!(decide(&Asked::of(ladder, quantity)), Decision::Elsewhere { .. });
+        Quantity::ALL.into_iter().any(is_elsewhere)
+    };
+    let mut short = ladder.clone();
+    for rung in short.rungs.iter_mut().chain(&mut short.odd) {
         for quantity in Quantity::ALL {
             rung.errors[quantity].iter_mut().for_each(|x| *x = to_digits(*x, ERROR_DIGITS));
             rung.rounding[quantity].iter_mut().for_each(|x| *x = to_digits(*x, ROUNDING_DIGITS));
         }
+    }
+    if !goes_elsewhere(ladder) && !goes_elsewhere(&short) {
+        *ladder = short;
     }
 }
 

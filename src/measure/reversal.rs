@@ -7,7 +7,7 @@
 use super::copies::{rounding, starts_in};
 use super::{Rung, steady_rung};
 use crate::arithmetic::{DoubleDouble, Real};
-use crate::model::{PerQuantity, Quantity, Snapshot, System, difference, larger, sizes};
+use crate::model::{Broken, PerQuantity, Quantity, Snapshot, System, difference, larger, sizes};
 use crate::record::Reversal;
 use crate::simulate::{Arithmetic, Contestant, Form, Plan};
 
@@ -45,12 +45,17 @@ fn measured<T: Arithmetic>(
     (step, steps): (f64, u64),
     reversal: Reversal,
 ) -> Reversal {
-    let Some(own) = there_and_back(contestant, system, step, steps) else { return reversal };
+    let own = match there_and_back(contestant, system, step, steps) {
+        Ok(own) => own,
+        Err(why) => {
+            return Reversal { unsolved: matches!(why, Some(Broken::NoConvergence { .. })), ..reversal };
+        }
+    };
     let there: Vec<Snapshot> = own.there.iter().map(Snapshot::nearest).collect();
     let apart = |a: &Snapshot<T>, b: &Snapshot<T>| difference(&system.body, a, b).map(Real::to_f64);
     let starts = starts_in(system, (given, &there));
     // A copy that breaks is left out.
-    let copies = starts.iter().filter_map(|start| there_and_back(contestant, start, step, steps));
+    let copies = starts.iter().filter_map(|start| there_and_back(contestant, start, step, steps).ok());
     let spread =
         copies.fold(PerQuantity::all(0.0), |largest, copy| largest.max(apart(&copy.back, &own.back)));
     let rounding = rounding(&spread, &sizes(given, &there), (T::UNIT, own.evaluations));
@@ -69,24 +74,27 @@ struct Return<T: Real = f64> {
     evaluations: u64,
 }
 
-/// `None` where a run breaks.
+/// Why a run breaks.
 fn there_and_back<T: Arithmetic>(
     contestant: &Contestant,
     system: &System<T>,
     step: f64,
     steps: u64,
-) -> Option<Return<T>> {
+) -> Result<Return<T>, Option<Broken>> {
     let run = |system: &System<T>, step: f64, every: u64| {
         let mut states = Vec::new();
         let plan = Plan { step, steps, every };
         let outcome = contestant.stream_in(system, Form::Least, &plan, &mut |state| states.push(*state));
-        outcome.broken.is_none().then_some((states, outcome))
+        match outcome.broken {
+            Some(broken) => Err(Some(broken.why)),
+            None => Ok((states, outcome)),
+        }
     };
     let (there, out) = run(system, step, (steps / SAMPLES).max(1))?;
-    let (way_back, home) = run(&system.started_at(there.last()?), -step, steps)?;
-    let (start, back) = (*there.first()?, *way_back.last()?);
+    let (way_back, home) = run(&system.started_at(there.last().ok_or(None)?), -step, steps)?;
+    let (start, back) = (*there.first().ok_or(None)?, *way_back.last().ok_or(None)?);
     let evaluations = [&out, &home].map(|run| run.evaluations + run.iterations).iter().sum();
-    Some(Return { start, back, solves: out.solves, evaluations, there })
+    Ok(Return { start, back, solves: out.solves, evaluations, there })
 }
 
 /// The largest of the differences over their roundings, with the quantity that it belongs to and the difference; `None` where one is NaN.

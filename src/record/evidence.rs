@@ -371,6 +371,9 @@ pub struct Reversal {
     pub of_rounding: Option<f64>,
     /// The quantity that it belongs to, and the distance in its unit.
     pub worst: Option<(Quantity, f64)>,
+    /// Whether a run broke since an implicit equation was not solved.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub unsolved: bool,
     /// Implicit equations that were solved on the way there.
     #[serde(default, skip_serializing_if = "is_nothing")]
     pub solves: u64,

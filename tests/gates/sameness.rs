@@ -36,7 +36,7 @@ fn reversal(of_rounding: Option<f64>, solves: u64, open: f64) -> Made {
     let mut made = Made::new("free-asymmetric", &[Claim::Reversible]);
     let worst = of_rounding.map(|_| (Quantity::Orientation, 1e-15));
     made.evidence.reversal =
-        Some(Reversal { steps: 25, step: 0.5, of_rounding, worst, solves, open, double_double: false });
+        Some(Reversal { steps: 25, step: 0.5, of_rounding, worst, solves, open, ..Reversal::default() });
     made
 }
 
@@ -71,6 +71,9 @@ fn there_and_back_and_other_worlds_may_differ_by_roundings_and_what_solves_leave
     assert_eq!(numbers(&reversal(Some(3.0), 0, 0.0).verdict(Reversible, "there-and-back"))[0], Some(3.0));
     // A run that broke on the way back is broken; one that breaks in another world alone is not the same.
     assert_eq!(reversal(None, 100, 0.0).ruling(Reversible, "there-and-back"), Broken);
+    let mut unsolved = reversal(None, 100, 0.0);
+    unsolved.evidence.reversal.as_mut().expect("a way").unsolved = true;
+    assert_eq!(unsolved.ruling(Reversible, "there-and-back"), Inconclusive);
     let mut elsewhere = world(false, None, 100);
     assert_eq!(elsewhere.ruling(Equivariant, "other-worlds"), Fail);
     // Where an equation is not solved there, nothing is known.

@@ -34,7 +34,7 @@ fn no_correct_scheme_fails_in_a_hundred_random_scenes() {
 }
 
 /// Scenes and schemes of verdicts that were once held against a correct scheme.
-const ONCE_HELD: [(&str, &str); 13] = [
+const ONCE_HELD: [(&str, &str); 17] = [
     // The times of the flips of the truth were off: dop853 amplifies a rounding at every flip.
     (include_str!("once_held/random-tumbling-11-81.toml"), "implicit-midpoint"),
     // A flip whose error is that of a logarithm, larger than the time that it takes: two runs have the ratio of order 1 by chance.
@@ -60,6 +60,13 @@ const ONCE_HELD: [(&str, &str); 13] = [
     (include_str!("once_held/random-20261205-582.toml"), "rkmk4"),
     // The rates of the energy of coarse runs have an order by chance.
     (include_str!("once_held/random-20261207-828.toml"), "rkmk4"),
+    // The reference of a fast body that turns slowly took one step, for its terms were too small for f64.
+    (include_str!("once_held/random-fast-21-139.toml"), "strang-rotations"),
+    // An equation that is solved in the scene's own world is not in a turned one, or on the way back.
+    (include_str!("once_held/random-far-21-0.toml"), "implicit-midpoint"),
+    (include_str!("once_held/random-20261209-78.toml"), "implicit-midpoint"),
+    // Errors that a kink lets stay were kept to five digits, and runs seemed to converge elsewhere.
+    (include_str!("once_held/random-20261209-111.toml"), "adams-bashforth-2"),
 ];
 
 #[test]
