@@ -201,12 +201,16 @@ fn write_series(options: &Options, name: &str, judgement: &Judgement) -> Result<
         let points = judgement.series.largest(quantity, DRAWN);
         let points: Vec<_> = points.into_iter().filter(|(_, error)| *error > 0.0).collect();
         let points = points.into_iter().map(|(time, error)| (time, Some(error))).collect::<Vec<_>>();
-        let words = format!("{} [{}]", quantity.name(), quantity.unit());
+        let words = format!("{} [{}]", quantity.name().replace('-', " "), quantity.unit());
         (!points.is_empty()).then_some(Line { words, points })
     };
     let lines: Vec<Line> = Quantity::ALL.into_iter().filter_map(line).collect();
-    let panel =
-        LinePanel { across: "t [s]".to_owned(), across_logarithmic: false, up: "error".to_owned(), lines };
+    let panel = LinePanel {
+        across: "t [s]".to_owned(),
+        across_logarithmic: false,
+        up: "error, each in its unit".to_owned(),
+        lines,
+    };
     let chart = LineChart {
         title: format!("Errors of {name}"),
         subtitle: format!("against the reference; the largest in each of {DRAWN} parts of the run"),

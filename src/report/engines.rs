@@ -64,7 +64,9 @@ struct Row {
 impl Section {
     /// `None` where the records hold no foreign program.
     pub(super) fn new(records: &Records, figures: &[Figure]) -> Option<Section> {
-        let scenes = survey::distinct(records.peers.iter().map(|row| row.scene.as_str()));
+        // A scene that no program took says nothing about them.
+        let foreign = |row: &&PeerRow| records.engines.iter().any(|engine| engine.scheme == row.scheme);
+        let scenes = survey::distinct(records.peers.iter().filter(foreign).map(|row| row.scene.as_str()));
         (!records.engines.is_empty()).then(|| Section {
             engines: records.engines.iter().map(|row| engine(records, row)).collect(),
             scenes: scenes.into_iter().map(|scene| scene_view(records, figures, scene)).collect(),

@@ -99,6 +99,16 @@ pub(super) fn order(value: Option<f64>, low: Option<f64>, high: Option<f64>) -> 
     minus(&format!("{value:.decimals$} ± {half:.decimals$}"))
 }
 
+/// An order with the larger of its two bounds in brackets, in units of the last digit: `2.002(7)`.
+pub(super) fn brief_order(value: Option<f64>, low: Option<f64>, high: Option<f64>) -> String {
+    let Some(value) = value else { return NONE.into() };
+    let (Some(low), Some(high)) = (low, high) else { return minus(&format!("{value:.2}")) };
+    let off = (high - value).max(value - low);
+    let decimals: i32 = if off < 0.0095 { 3 } else { 2 };
+    let last = (off * 10f64.powi(decimals)).ceil().max(1.0);
+    minus(&format!("{value:.0$}({last:.0})", decimals as usize))
+}
+
 /// A count with its noun, in the plural where it needs one.
 pub(super) fn counted(count: usize, noun: &str) -> String {
     if count == 1 { format!("1 {noun}") } else { format!("{count} {noun}s") }
@@ -112,6 +122,16 @@ fn minus(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_brackets_of_an_order_hold_its_bounds() {
+        let brief = |value, low, high| brief_order(Some(value), Some(low), Some(high));
+        assert_eq!(brief(2.0021, 1.9955, 2.0049), "2.002(7)");
+        assert_eq!(brief(2.0, 1.99999, 2.00001), "2.000(1)");
+        assert_eq!(brief(3.22, 2.8, 3.22), "3.22(42)");
+        assert_eq!(brief_order(Some(1.5), None, None), "1.50");
+        assert_eq!(brief_order(None, None, None), NONE);
+    }
 
     #[test]
     fn small_numbers_are_printed_with_a_power_of_ten() {

@@ -99,16 +99,22 @@ fn grid(records: &Records, cell: impl Fn(&str, &str) -> Option<String>) -> (Vec<
     (head, survey::scenes(records).into_iter().filter_map(row).collect())
 }
 
+/// Orders of the quantity that stands for each scene: the heads, and a row a scene.
+pub(super) fn order_grid(
+    records: &Records,
+    words: impl Fn(&Order) -> String,
+) -> (Vec<String>, Vec<Vec<String>>) {
+    let order = |scene: &str, scheme: &str| survey::order(records, scene, scheme, standing(records, scene));
+    grid(records, |scene, scheme| order(scene, scheme).map(&words))
+}
+
 /// Orders of the quantity that stands for each scene.
 pub(super) fn orders(records: &Records) -> Option<Table> {
-    let cell = |scene: &str, scheme: &str| {
-        let order = survey::order(records, scene, scheme, standing(records, scene))?;
-        Some(match (order.status, order.order) {
-            (OrderStatus::Decided, Some(value)) => format!("{value:.2}"),
-            (status, _) => status.word().replace('-', " "),
-        })
+    let words = |order: &Order| match (order.status, order.order) {
+        (OrderStatus::Decided, Some(value)) => format!("{value:.2}"),
+        (status, _) => status.word().replace('-', " "),
     };
-    let (head, rows) = grid(records, cell);
+    let (head, rows) = order_grid(records, words);
     of(Table {
         name: "orders",
         caption: "Measured order of the orientation, or of a body point where nothing turns.".into(),

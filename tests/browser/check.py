@@ -48,6 +48,15 @@ READABLE = """(() => {
 })()"""
 
 
+# The least height of small letters of the pictures that are shown: 14 pixels of a PNG.
+LETTERS_OF_PICTURES = """(async () => {
+  const shown = [...document.images].filter(one => one.checkVisibility());
+  shown.forEach(one => { one.loading = 'eager'; });
+  await Promise.all(shown.map(one => one.decode()));
+  return Math.min(99, ...shown.map(one => 14 * one.getBoundingClientRect().width / one.naturalWidth));
+})()"""
+
+
 class Check:
     def __init__(self, browser, folder, single, pictures):
         self.page, self.folder, self.single, self.pictures = browser.page(), folder, single, pictures
@@ -70,6 +79,9 @@ class Check:
         look = self.page.run(READABLE)
         self.holds(f"{where}: contrast {look['least']:.2f} of {look['where']}", look["least"] >= 4.5)
         self.holds(f"{where}: letters of {look['smallest']} px", look["smallest"] >= 10)
+        if scripts:
+            letters = self.page.run(LETTERS_OF_PICTURES)
+            self.holds(f"{where}: letters of {letters:.1f} px in a picture", letters >= 10)
         self.holds(f"{where}: says {self.page.messages}", not self.page.messages)
         # The page of everything is taller than a picture may be.
         if self.pictures and path.parent != self.single:

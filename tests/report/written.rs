@@ -127,6 +127,7 @@ fn pictures_that_an_earlier_report_left_are_removed() {
         names,
         [
             "drift-rates.png",
+            "overview-narrow.png",
             "overview.png",
             "scene-02-convergence.png",
             "scene-02-invariants.png",

@@ -35,7 +35,8 @@ struct Line {
     /// Tells lines of one name apart.
     #[serde(skip_serializing_if = "String::is_empty")]
     note: String,
-    colour: String,
+    /// Colour on white, colour on a dark ground, dashes.
+    look: String,
     x: BTreeMap<&'static str, Vec<Option<f64>>>,
     y: BTreeMap<String, Vec<Option<f64>>>,
     /// Rounding, by the keys of y.
@@ -106,7 +107,7 @@ fn line(
     own: &[&Measurement],
     keys: &[&str],
     spin: Option<f64>,
-    (name, note, colour): (String, String, String),
+    (name, note, look): (String, String, String),
 ) -> Line {
     let mut steps: Vec<f64> = own.iter().map(|row| row.step_s).filter(|step| *step > 0.0).collect();
     steps.sort_by(|a, b| b.total_cmp(a));
@@ -131,7 +132,7 @@ fn line(
         };
         keys.iter().map(of).collect()
     };
-    Line { name, note, colour, x, y: each(&|row| row.value), f: each(&|row| row.uncertainty) }
+    Line { name, note, look, x, y: each(&|row| row.value), f: each(&|row| row.uncertainty) }
 }
 
 /// What is conserved against time, in a scene.
@@ -157,7 +158,7 @@ pub(super) fn against_time(records: &Records, looks: &Looks, scene: &str) -> Opt
         let own = || rows.iter().filter(|row| row.scheme == scheme);
         Line {
             name: scheme.into(),
-            colour: looks.colour(scheme),
+            look: looks.of(scheme),
             x: own().next().map(|row| ("seconds", numbers(&row.time_s))).into_iter().collect(),
             y: own().map(|row| (row.quantity.clone(), numbers(&row.value))).collect(),
             ..Line::default()
@@ -185,7 +186,7 @@ pub(super) fn precision(records: &Records, looks: &Looks, scene: &str) -> Option
         Line {
             name: row.scheme.clone(),
             note: row.arithmetic.clone(),
-            colour: looks.colour(&row.scheme),
+            look: looks.of(&row.scheme),
             x: BTreeMap::from([
                 ("step", each(&|n| Some(row.runs[n].step_s))),
                 ("rad", each(&|n| Some(row.runs[n].step_s * spin?))),

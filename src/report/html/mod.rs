@@ -155,7 +155,7 @@ impl<'a> Site<'a> {
     fn of_scene(&self, leaf: &Leaf) -> Result<Value, minijinja::Error> {
         let scene = leaf.name.as_str();
         let words = |row: &crate::record::Measurement| {
-            (row.scheme.clone(), String::new(), self.looks.colour(&row.scheme))
+            (row.scheme.clone(), String::new(), self.looks.of(&row.scheme))
         };
         let title = format!("Errors at the end of a run, {scene}");
         let errors = chart::errors(self.records, &title, |row| row.scene == scene, words);
@@ -202,7 +202,7 @@ impl<'a> Site<'a> {
     /// The errors of every scene and main scheme.
     fn overview(&self) -> Result<Option<Value>, minijinja::Error> {
         let words = |row: &crate::record::Measurement| {
-            (row.scheme.clone(), row.scene.clone(), self.looks.colour(&row.scheme))
+            (row.scheme.clone(), row.scene.clone(), self.looks.of(&row.scheme))
         };
         let wanted = |row: &crate::record::Measurement| row.metric == "orientation-end";
         let chart = chart::errors(self.main, "Errors in every scene", wanted, words);

@@ -24,7 +24,8 @@ pub(super) struct Motions {
 struct Run {
     /// Nothing for the truth.
     name: String,
-    colour: String,
+    /// Colour on white, colour on a dark ground, dashes.
+    look: String,
     step: f64,
     /// Differences of quaternions, in parts of 1.
     turn: Vec<i32>,
@@ -42,7 +43,7 @@ impl Motions {
         let largest = if largest > 0.0 { largest } else { 1.0 };
         let run = |row: &&Motion| Run {
             name: row.scheme.clone(),
-            colour: looks.colour(&row.scheme),
+            look: looks.of(&row.scheme),
             step: row.step_s,
             turn: differences(&row.turn, 4, 1.0),
             spin: differences(&row.spin, 3, largest),

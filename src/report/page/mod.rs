@@ -42,8 +42,8 @@ pub(super) struct Page {
     broken_runs: Vec<tables::BrokenRun>,
     schemes: Vec<tables::Scheme>,
     overview: Option<FigureView>,
-    order_quantities: Vec<String>,
-    orders: Vec<tables::OrderSummary>,
+    order_schemes: Vec<String>,
+    orders: Vec<tables::SceneOrders>,
     drift_figure: Option<FigureView>,
     drifts: Vec<tables::DriftRow>,
     overall: Vec<rankings::Overall>,
@@ -74,6 +74,8 @@ pub(super) struct FigureView {
     word: &'static str,
     /// Whether it shows errors of runs.
     errors: bool,
+    /// The same for a narrow screen.
+    narrow: Option<Box<FigureView>>,
     /// The PNG in base 64, where it is no file.
     data: Option<String>,
 }
@@ -129,7 +131,7 @@ fn measured(verdict: &Verdict) -> String {
 /// Composes the report from the records and the pictures drawn from them. `main` is the records without the schemes that stand
 /// apart.
 pub(super) fn compose(records: &Records, main: &Records, figures: &[Figure]) -> Page {
-    let (order_quantities, orders) = tables::order_summary(main);
+    let (order_schemes, orders) = tables::scene_orders(main);
     Page {
         version: records.polhode.clone(),
         made_at: records.made_at.clone(),
@@ -146,7 +148,7 @@ pub(super) fn compose(records: &Records, main: &Records, figures: &[Figure]) -> 
             &Subject::Overview,
             "Errors and measured orders of every scene and scheme.",
         ),
-        order_quantities,
+        order_schemes,
         orders,
         drift_figure: figure(
             figures,
@@ -159,11 +161,7 @@ pub(super) fn compose(records: &Records, main: &Records, figures: &[Figure]) -> 
         published: published::Section::new(&records.published),
         cheapest: cheapest(figures),
         costs: costs::Costs::new(records),
-        scaling: figure(
-            figures,
-            &Subject::Scaling,
-            "Cost of a step against the mass points of the body, and of a campaign against its cells.",
-        ),
+        scaling: figure(figures, &Subject::Scaling, "Cost of a step against the mass points of the body."),
         precision: precision::Precision::new(main, figures),
         stability: stability::Section::new(records, figures),
         scenes: survey::scenes(records)
@@ -197,7 +195,11 @@ pub(super) fn figure(figures: &[Figure], subject: &Subject, caption: &str) -> Op
     let drawn = figures.iter().find(|figure| figure.subject == *subject)?;
     let errors = matches!(subject, Subject::Convergence(_) | Subject::WorkPrecision(..));
     let (file, data) = (subject.file_name(), drawn.data.clone());
-    Some(FigureView { file, caption: caption.into(), word: word(subject), errors, data })
+    let narrow = match subject {
+        Subject::Overview => figure(figures, &Subject::NarrowOverview, caption).map(Box::new),
+        _ => None,
+    };
+    Some(FigureView { file, caption: caption.into(), word: word(subject), errors, narrow, data })
 }
 
 fn word(subject: &Subject) -> &'static str {

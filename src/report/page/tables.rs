@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use crate::record::{Drift, Measurement, Order, OrderStatus, Records, RunStatus, SchemeRow};
-use crate::report::{number, survey};
+use crate::report::{number, paper, survey};
 
 use super::VerdictRow;
 
@@ -66,32 +66,26 @@ pub(super) fn cost(records: &Records, wanted: impl Fn(&Measurement) -> bool) -> 
     if low == high { format!("{low} ns") } else { format!("{low} to {high} ns") }
 }
 
-/// The orders at the end of the run of one scene and scheme, in the columns of the table.
+/// A row of the table of orders: a scene, and a cell a scheme.
 #[derive(Serialize)]
-pub(super) struct OrderSummary {
+pub(super) struct SceneOrders {
     scene: String,
     anchor: String,
-    scheme: String,
     cells: Vec<String>,
 }
 
-/// The quantities that head the columns, and the rows under them.
-pub(super) fn order_summary(records: &Records) -> (Vec<String>, Vec<OrderSummary>) {
-    let quantities = survey::distinct(records.orders.iter().map(|row| row.quantity.as_str()));
-    let mut rows = Vec::new();
-    for scene in survey::scenes(records) {
-        for scheme in survey::schemes(records) {
-            let found: Vec<_> =
-                quantities.iter().map(|quantity| survey::order(records, scene, scheme, quantity)).collect();
-            if found.iter().all(Option::is_none) {
-                continue;
-            }
-            let cells = found.into_iter().map(|order| order.map_or(String::new(), order_words)).collect();
-            let anchor = survey::file_stem(scene);
-            rows.push(OrderSummary { scene: scene.into(), anchor, scheme: scheme.into(), cells });
-        }
-    }
-    (quantities.into_iter().map(survey::quantity_words).collect(), rows)
+/// The schemes that head the columns, and the rows under them.
+pub(super) fn scene_orders(records: &Records) -> (Vec<String>, Vec<SceneOrders>) {
+    let words = |order: &Order| match order.status {
+        OrderStatus::Decided => number::brief_order(order.order, order.low, order.high),
+        status => status.word().replace('-', " "),
+    };
+    let (mut head, rows) = paper::order_grid(records, words);
+    let row = |mut cells: Vec<String>| {
+        let scene = cells.remove(0);
+        SceneOrders { anchor: survey::file_stem(&scene), scene, cells }
+    };
+    (head.split_off(1), rows.into_iter().map(row).collect())
 }
 
 /// An order with its interval, or why there is none.

@@ -53,7 +53,9 @@ pub(super) fn sketch(records: &Records, scene: &str) -> Option<Sketch> {
     let height = bottom + legend::height(&entries, room) + 2.0 * MARGIN;
     let mut sketch =
         Sketch::new(WIDTH, height, format!("{title}: foreign engines, error against step and cost"));
-    let subtitle = format!("{scene} · engines beside our schemes (grey): error of the {quantity} at the end");
+    let unit = unit(records, scene);
+    let subtitle =
+        format!("{scene} · engines beside our schemes (grey): error of the {quantity} at the end [{unit}]");
     panel::headline(&mut sketch, title, &subtitle);
     let all = Frame { left: MARGIN, top: TOP, right: WIDTH - MARGIN, bottom };
     let merged = merged(records, scene, &lines);
@@ -63,6 +65,13 @@ pub(super) fn sketch(records: &Records, scene: &str) -> Option<Sketch> {
     draw(&mut sketch, &lines, &each, all.cell((2, 1), 1), words, |point| point.1);
     legend::draw(&mut sketch, &entries, MARGIN + 20.0, bottom + MARGIN, room);
     Some(sketch)
+}
+
+/// Unit of the error.
+fn unit<'a>(records: &'a Records, scene: &str) -> &'a str {
+    let metric = ranking::quantity(records, scene);
+    let own = records.measurements.iter().find(|row| row.scene == scene && row.metric == metric);
+    own.map_or("1", |row| row.unit.as_str())
 }
 
 fn entries(lines: &[Line], palette: &Palette) -> Vec<Entry> {

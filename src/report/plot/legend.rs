@@ -2,7 +2,7 @@
 
 use plotters::style::RGBColor;
 
-use super::palette::{BAND, GUIDE, INK, Look, OVER, PALE, SOFT, tint};
+use super::palette::{BAND, GUIDE, INK, Look, Marker, OVER, PALE, SOFT, tint};
 use super::sketch::{Anchor, Place, Sketch, Type};
 
 const FACE: Type = Type::plain(30.0, INK);
@@ -106,9 +106,12 @@ pub(super) fn draw_sign(sketch: &mut Sketch, sign: Sign, (x, y): Place) {
             sketch.stroke(vec![from, to], look.ink, 5.0, look.dash);
             sketch.marker(look.marker, middle, 11.0, look.ink, true);
         }
-        Sign::Others => sketch.line(vec![from, to], PALE, 3.0),
-        Sign::Hollow => sketch.marker(super::palette::Marker::Disc, middle, 11.0, SOFT, false),
-        Sign::Filled => sketch.marker(super::palette::Marker::Disc, middle, 11.0, SOFT, true),
+        Sign::Others => {
+            sketch.line(vec![from, to], PALE, 3.0);
+            sketch.marker(Marker::Disc, middle, 6.0, GUIDE, true);
+        }
+        Sign::Hollow => sketch.marker(Marker::Disc, middle, 11.0, SOFT, false),
+        Sign::Filled => sketch.marker(Marker::Disc, middle, 11.0, SOFT, true),
         Sign::Band => sketch.area((x, y - 14.0), (x + LENGTH, y + 14.0), tint(BAND, 1.0)),
         Sign::Guide => sketch.dashes(from, to, GUIDE, 3.0),
         Sign::Cross => sketch.cross(middle, 10.0, SOFT),
@@ -133,6 +136,6 @@ pub(super) fn draw_sign(sketch: &mut Sketch, sign: Sign, (x, y): Place) {
 /// A number in a circle.
 pub(super) fn numbered(sketch: &mut Sketch, centre: Place, number: usize) {
     const RADIUS: f64 = 17.0;
-    sketch.marker(super::palette::Marker::Disc, centre, RADIUS, INK, false);
+    sketch.marker(Marker::Disc, centre, RADIUS, INK, false);
     sketch.text(&number.to_string(), centre, Anchor::Middle, Type::bold(22.0, INK));
 }

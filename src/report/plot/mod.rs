@@ -54,6 +54,8 @@ pub(super) use work_precision::{Cast, Group};
 pub(super) enum Subject {
     /// Everything at a glance.
     Overview,
+    /// The orders of it alone, for a narrow screen.
+    NarrowOverview,
     /// Drift of the rotational energy in every scene.
     DriftRates,
     /// Errors of one scene against the step.
@@ -89,6 +91,7 @@ impl Subject {
     pub(super) fn file_stem(&self) -> String {
         match self {
             Subject::Overview => "overview".into(),
+            Subject::NarrowOverview => "overview-narrow".into(),
             Subject::DriftRates => "drift-rates".into(),
             Subject::Convergence(scene) => format!("{}-convergence", survey::file_stem(scene)),
             Subject::Invariants(scene) => format!("{}-invariants", survey::file_stem(scene)),
@@ -121,42 +124,38 @@ impl Picture {
     }
 }
 
-/// The colour of each scheme, as pages write colours.
+/// The look of each scheme, as pages write it.
 pub(super) struct Looks(Vec<(String, String)>);
 
 impl Looks {
     /// Of the schemes that are drawn, as their pictures have them, and of those that stand apart.
     pub(super) fn new(records: &Records) -> Looks {
         let main = records.without_apart();
-        let palette = Palette::of_schemes(survey::measured_schemes(&main), &main.schemes);
-        let look = |name: &str| (name.to_owned(), hexadecimal(palette.look(name).ink));
-        let mut looks: Vec<(String, String)> = palette.schemes().iter().map(|name| look(name)).collect();
-        let others = survey::measured_schemes(records).into_iter().enumerate();
-        let others = others.filter(|(_, name)| !palette.schemes().contains(name));
-        looks.extend(others.map(|(place, name)| (name.to_owned(), Looks::by_place(place))));
-        Looks(looks)
+        let mut names = survey::measured_schemes(&main);
+        let others = survey::measured_schemes(records).into_iter().filter(|name| !names.contains(name));
+        names.extend(others.collect::<Vec<_>>());
+        let palette = Palette::of_schemes(names, &records.schemes);
+        let look = |name: &&str| ((*name).to_owned(), palette.look(name).of_pages());
+        Looks(palette.schemes().iter().map(look).collect())
     }
 
-    /// The colour of a scheme; ink for what is none.
-    pub(super) fn colour(&self, scheme: &str) -> String {
+    /// The look of a scheme; that of the first for what is none.
+    pub(super) fn of(&self, scheme: &str) -> String {
         let own = self.0.iter().find(|(name, _)| name == scheme);
-        own.map_or_else(|| hexadecimal(palette::INK), |(_, colour)| colour.clone())
+        own.map_or_else(|| Looks::by_place(0), |(_, look)| look.clone())
     }
 
-    /// The colour of the n-th of many things.
+    /// The look of the n-th of many things.
     pub(super) fn by_place(place: usize) -> String {
-        hexadecimal(palette::COLOURS[place % palette::COLOURS.len()])
+        palette::look(place).of_pages()
     }
-}
-
-fn hexadecimal(plotters::style::RGBColor(red, green, blue): plotters::style::RGBColor) -> String {
-    format!("#{red:02x}{green:02x}{blue:02x}")
 }
 
 /// Everything that the records may have a picture of.
 pub(super) fn subjects(records: &Records) -> Vec<Subject> {
     let mut subjects = vec![
         Subject::Overview,
+        Subject::NarrowOverview,
         Subject::DriftRates,
         Subject::Cheapest(Work::Nanoseconds),
         Subject::Cheapest(Work::Evaluations),
@@ -214,6 +213,7 @@ pub(super) fn lay_out(
     let palette = Palette::of_schemes(survey::measured_schemes(main), &main.schemes);
     let sketch = match subject {
         Subject::Overview => overview::sketch(main, &palette),
+        Subject::NarrowOverview => overview::narrow(main, &palette),
         Subject::DriftRates => drift::sketch(main, &palette),
         Subject::Convergence(scene) => convergence::sketch(main, &palette, scene),
         Subject::Invariants(scene) => invariants::sketch(main, &palette, scene),

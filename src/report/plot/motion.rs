@@ -6,7 +6,7 @@ use plotters::style::RGBColor;
 
 use super::axis::Axis;
 use super::legend::{self, Entry, Sign};
-use super::palette::{GRID, GUIDE, Palette, tint};
+use super::palette::{GRID, GUIDE, Look, Marker, Palette, tint};
 use super::panel::{self, Frame, Panel};
 use super::render;
 use super::sketch::{Place, Sketch};
@@ -35,7 +35,7 @@ fn sketch(motion: &Motion) -> Sketch {
     let mut sketch = Sketch::new(WIDTH, HEIGHT, title.clone());
     let end = motion.time_s.last().copied().unwrap_or_default();
     let subtitle = format!(
-        "h = {} s, {} states up to t = {} s",
+        "h = {} s, {} states up to t = {} s; paths begin at the disc",
         crate::report::number::setting(motion.step_s),
         motion.time_s.len(),
         crate::report::number::setting(end)
@@ -44,11 +44,11 @@ fn sketch(motion: &Motion) -> Sketch {
     let all = Frame { left: MARGIN, top: 150.0, right: WIDTH - MARGIN, bottom: HEIGHT - MARGIN };
     let cell = |index| all.cell((2, 2), index);
     let palette = Palette::new(NAMES.to_vec());
-    let ink = palette.look(NAMES[0]).ink;
-    draw_polhode(&mut sketch, cell(0), motion, ink);
-    draw_axis(&mut sketch, cell(1), motion, ink);
+    let look = palette.look(NAMES[0]);
+    draw_polhode(&mut sketch, cell(0), motion, look.ink);
+    draw_axis(&mut sketch, cell(1), motion, look.ink);
     draw_spin(&mut sketch, cell(2), motion, &palette);
-    draw_energy(&mut sketch, cell(3), motion, ink);
+    draw_energy(&mut sketch, cell(3), motion, look);
     sketch
 }
 
@@ -88,6 +88,14 @@ impl View {
         }
     }
 
+    /// A path with a disc at its start.
+    fn path(&self, sketch: &mut Sketch, path: &[Point], ink: RGBColor) {
+        self.trace(sketch, path, ink, 4.0);
+        if let Some((place, depth)) = path.first().map(|start| self.place(*start)) {
+            sketch.marker(Marker::Disc, place, 11.0, if depth < 0.0 { tint(ink, 0.4) } else { ink }, true);
+        }
+    }
+
     /// Circles of latitude and longitude on an ellipsoid of these half axes.
     fn globe(&self, sketch: &mut Sketch, half: Point) {
         let ring = |point: &dyn Fn(f64) -> Point| -> Vec<Point> {
@@ -123,7 +131,7 @@ fn draw_polhode(sketch: &mut Sketch, cell: Frame, motion: &Motion, ink: RGBColor
         let view = View::of(cell);
         view.globe(sketch, half.map(|edge| edge / scale));
         let path: Vec<Point> = motion.spins().map(|w| [w[0] / scale, w[1] / scale, w[2] / scale]).collect();
-        view.trace(sketch, &path, ink, 4.0);
+        view.path(sketch, &path, ink);
     }
 }
 
@@ -142,16 +150,18 @@ fn draw_axis(sketch: &mut Sketch, cell: Frame, motion: &Motion, ink: RGBColor) {
     };
     let view = View::of(cell);
     view.globe(sketch, [1.0; 3]);
-    view.trace(sketch, &motion.turns().map(axis).collect::<Vec<_>>(), ink, 4.0);
+    view.path(sketch, &motion.turns().map(axis).collect::<Vec<_>>(), ink);
 }
 
-/// A line, its name and its colour.
-type Curve<'a> = (&'a str, Vec<f64>, RGBColor);
+/// The values of a line and its look.
+type Curve = (Vec<f64>, Look);
+/// Markers on a line, so that it is found in the legend without colour.
+const MARKERS: usize = 10;
 
 fn draw_spin(sketch: &mut Sketch, cell: Frame, motion: &Motion, palette: &Palette) {
     let curve = |index: usize| {
         let name = NAMES[index];
-        (name, motion.spins().map(|spin| spin[index]).collect(), palette.look(name).ink)
+        (motion.spins().map(|spin| spin[index]).collect(), palette.look(name))
     };
     let curves: Vec<Curve> = (0..3).map(curve).collect();
     draw_curves(sketch, cell, motion, &curves, "Ω in principal axes [rad/s]");
@@ -160,18 +170,17 @@ fn draw_spin(sketch: &mut Sketch, cell: Frame, motion: &Motion, palette: &Palett
     legend::draw(sketch, &entries, cell.left + 200.0, cell.bottom - 64.0, cell.right - cell.left - 260.0);
 }
 
-fn draw_energy(sketch: &mut Sketch, cell: Frame, motion: &Motion, ink: RGBColor) {
+fn draw_energy(sketch: &mut Sketch, cell: Frame, motion: &Motion, look: Look) {
     let energies = motion.energies();
     let first = energies.first().copied().unwrap_or_default();
     if first > 0.0 {
         let change = energies.iter().map(|energy| energy / first - 1.0).collect();
-        draw_curves(sketch, cell, motion, &[("", change, ink)], "Relative change of the rotational energy");
+        draw_curves(sketch, cell, motion, &[(change, look)], "Relative change of the rotational energy");
     }
 }
 
 fn draw_curves(sketch: &mut Sketch, cell: Frame, motion: &Motion, curves: &[Curve], words: &str) {
-    let values =
-        || curves.iter().flat_map(|(_, values, _)| values).copied().filter(|value| value.is_finite());
+    let values = || curves.iter().flat_map(|(values, _)| values).copied().filter(|value| value.is_finite());
     let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
     let margin = if high > low { 0.05 * (high - low) } else { 1e-16 + 0.05 * high.abs() };
     let end = motion.time_s.last().copied().unwrap_or(1.0);
@@ -185,9 +194,13 @@ fn draw_curves(sketch: &mut Sketch, cell: Frame, motion: &Motion, curves: &[Curv
         let (left, right) = (panel.frame.left, panel.frame.right);
         sketch.line(vec![(left, panel.along(0.0)), (right, panel.along(0.0))], tint(GRID, 1.0), 3.0);
     }
-    for (_, values, ink) in curves {
+    for (values, look) in curves {
         let finite = motion.time_s.iter().zip(values).filter(|(_, value)| value.is_finite());
-        sketch.line(finite.map(|(time, value)| panel.place(*time, *value)).collect(), *ink, 3.0);
+        let places: Vec<Place> = finite.map(|(time, value)| panel.place(*time, *value)).collect();
+        for place in places.iter().step_by(places.len().div_ceil(MARKERS).max(1)) {
+            sketch.marker(look.marker, *place, 8.0, look.ink, true);
+        }
+        sketch.line(places, look.ink, 3.0);
     }
     panel.draw_frame(sketch);
     panel.label_x(sketch, "time [s]");

@@ -17,19 +17,26 @@ const BAND_HALF: f64 = 0.15;
 const GAP: f64 = 12.0;
 /// The word in cells without an order.
 const EXACT: Type = Type::plain(24.0, SOFT);
-/// Room for the names of scenes.
-const NAME_ROOM: f64 = 580.0;
+/// What stands there where a column has no room for the word.
+const EXACT_SIGN: &str = "=";
+/// Room for the names of scenes that holds the title of the panel, too.
+pub(super) const NAME_ROOM: f64 = 580.0;
 
 /// Scenes, schemes with their claims, and the quantity that stands for a scene.
 type Shown<'a> = (&'a [&'a str], &'a [(&'a str, u32)], &'a str);
 
-/// Draws every measured order with its bounds.
-pub(super) fn draw(sketch: &mut Sketch, records: &Records, palette: &Palette, shown: Shown, frame: Frame) {
-    let (scenes, columns, quantity) = shown;
+/// Draws every measured order with its bounds, and the names of the scenes in a room left of the frame.
+pub(super) fn draw(
+    sketch: &mut Sketch,
+    records: &Records,
+    palette: &Palette,
+    (scenes, columns, quantity): Shown,
+    (frame, names): (Frame, f64),
+) {
     let row =
         |index: usize| frame.top + (index as f64 + 0.5) / scenes.len() as f64 * (frame.bottom - frame.top);
     for (index, scene) in scenes.iter().enumerate() {
-        sketch.text(&fitted(scene, NAME, NAME_ROOM), (frame.left - 20.0, row(index)), Anchor::End, NAME);
+        sketch.text(&fitted(scene, NAME, names), (frame.left - 20.0, row(index)), Anchor::End, NAME);
     }
     for (index, (scheme, claim)) in columns.iter().enumerate() {
         let claimed = f64::from(*claim);
@@ -52,12 +59,13 @@ pub(super) fn draw(sketch: &mut Sketch, records: &Records, palette: &Palette, sh
         sketch.text(&claims, (middle, column.bottom + 30.0), Anchor::Middle, NAME);
     }
     let middle = (frame.left + frame.right) / 2.0;
-    sketch.text(
-        "claimed order; two where it is another one without torque",
-        (middle, frame.bottom + 74.0),
-        Anchor::Middle,
-        AXIS,
-    );
+    let whole = names >= NAME_ROOM;
+    let words =
+        if whole { "claimed order; two where it is another one without torque" } else { "claimed order" };
+    sketch.text(words, (middle, frame.bottom + 74.0), Anchor::Middle, AXIS);
+    if !whole {
+        return;
+    }
     let place = (frame.left - NAME_ROOM - 20.0, frame.top - 30.0);
     sketch.text("Measured order with its bounds", place, Anchor::Start, TITLE);
 }
@@ -91,12 +99,11 @@ fn is_exact(records: &Records, (scene, scheme, quantity): (&str, &str, &str)) ->
     survey::order(records, scene, scheme, quantity).is_some_and(|order| order.status == OrderStatus::Exact)
 }
 
-/// The word where an error is rounding at every step, as far as a column has room for it.
+/// The word where an error is rounding at every step, or its sign.
 fn write_exact(sketch: &mut Sketch, panel: &Panel, y: f64) {
     let Frame { left, right, .. } = panel.frame;
-    if EXACT.width("exact") < right - left {
-        sketch.text("exact", ((left + right) / 2.0, y), Anchor::Middle, EXACT);
-    }
+    let words = if EXACT.width("exact") < right - left { "exact" } else { EXACT_SIGN };
+    sketch.text(words, ((left + right) / 2.0, y), Anchor::Middle, EXACT);
 }
 
 /// The order that a scheme claims in a scene: some claim another one without torque.

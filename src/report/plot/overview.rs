@@ -1,7 +1,7 @@
 //! One picture of everything: the errors of all scenes against the step, and every measured order beside the
 //! claimed ones.
 
-use crate::record::{OrderStatus, Records};
+use crate::record::{Order, OrderStatus, Records};
 use crate::report::number;
 use crate::report::survey::{self, Outcome};
 
@@ -9,9 +9,9 @@ use super::key::{Key, Row};
 use super::legend::{self, Entry, Sign};
 use super::orders_panel;
 use super::overview_panels as panels;
-use super::palette::Palette;
+use super::palette::{Palette, SOFT};
 use super::panel::{self, Frame};
-use super::sketch::Sketch;
+use super::sketch::{Anchor, Sketch, Type};
 
 const WIDTH: f64 = 3000.0;
 const TOP: f64 = 220.0;
@@ -26,16 +26,10 @@ const QUANTITIES: [&str; 2] = ["orientation-end", "body-point-end"];
 
 /// The picture; `None` where no order was fitted.
 pub(super) fn sketch(records: &Records, palette: &Palette) -> Option<Sketch> {
-    let fitted = |quantity: &&str| {
-        records
-            .orders
-            .iter()
-            .any(|row| row.quantity == survey::base(quantity) && row.status == OrderStatus::Decided)
-    };
-    let quantity = QUANTITIES.into_iter().find(fitted)?;
+    let quantity = quantity(records)?;
     let scenes = ordered_scenes(records);
     let columns = columns(records, palette);
-    let head = columns.iter().map(|(scheme, _)| panels::NAME.width(scheme)).fold(0.0, f64::max) + 20.0;
+    let head = head(&columns);
     let body = head + (ROW * scenes.len() as f64 + 40.0).clamp(400.0, 2200.0);
     let entries = entries(quantity);
     let key = key(records, palette);
@@ -52,10 +46,59 @@ pub(super) fn sketch(records: &Records, palette: &Palette) -> Option<Sketch> {
     let errors = Frame { left: MARGIN + 110.0, top: TOP, right: ERRORS_END, bottom };
     let orders = Frame { left: ORDERS_BEGIN, top: TOP + head, right: WIDTH - MARGIN, bottom };
     panels::draw_errors(&mut sketch, records, palette, (&scenes, quantity), errors);
-    orders_panel::draw(&mut sketch, records, palette, (&scenes, &columns, quantity), orders);
+    let names = orders_panel::NAME_ROOM;
+    orders_panel::draw(&mut sketch, records, palette, (&scenes, &columns, quantity), (orders, names));
     key.draw(&mut sketch, MARGIN, bottom + 120.0, room);
     legend::draw(&mut sketch, &entries, MARGIN, bottom + 130.0 + key.height(room), room);
     Some(sketch)
+}
+
+/// Width of the picture for a narrow screen: its letters are 10 pixels high where it is 350 wide.
+const NARROW: f64 = 960.0;
+/// More schemes than this have no room on a narrow screen.
+const MOST_NARROW: usize = 14;
+
+/// The measured orders alone, for a narrow screen; `None` where no order was fitted, or many schemes have one.
+pub(super) fn narrow(records: &Records, palette: &Palette) -> Option<Sketch> {
+    const NAMES: f64 = 385.0;
+    const NOTES: [&str; 5] = [
+        "dot: measured order of the orientation; its line: the bounds",
+        "grey: claimed order ± 0.15; a column reaches to ± 0.3",
+        "hollow: beyond the column",
+        "=: exact, the error is rounding at every step",
+        "nothing: no order, or the scheme does not take the scene",
+    ];
+    const NOTE: Type = Type::plain(29.0, SOFT);
+    let quantity = quantity(records)?;
+    let (scenes, columns) = (ordered_scenes(records), columns(records, palette));
+    if columns.len() > MOST_NARROW {
+        return None;
+    }
+    let top = 100.0 + head(&columns);
+    let bottom = top + ROW * scenes.len() as f64;
+    let height = bottom + 120.0 + 44.0 * NOTES.len() as f64;
+    let mut sketch = Sketch::new(NARROW, height, "Measured order of every scheme and scene".into());
+    panel::headline(&mut sketch, "Measured orders", "");
+    let frame = Frame { left: NAMES + 40.0, top, right: NARROW - 14.0, bottom };
+    orders_panel::draw(&mut sketch, records, palette, (&scenes, &columns, quantity), (frame, NAMES));
+    for (index, words) in NOTES.into_iter().enumerate() {
+        sketch.text(words, (20.0, bottom + 130.0 + 44.0 * index as f64), Anchor::Start, NOTE);
+    }
+    Some(sketch)
+}
+
+/// The quantity that stands for a scene: the first of those in question that has an order.
+fn quantity(records: &Records) -> Option<&'static str> {
+    let decided = |quantity: &&str| {
+        let own = |row: &Order| row.quantity == survey::base(quantity) && row.status == OrderStatus::Decided;
+        records.orders.iter().any(own)
+    };
+    QUANTITIES.into_iter().find(decided)
+}
+
+/// Height of the names of schemes, which stand upright over their columns.
+fn head(columns: &[(&str, u32)]) -> f64 {
+    columns.iter().map(|(scheme, _)| panels::NAME.width(scheme)).fold(0.0, f64::max) + 20.0
 }
 
 /// The schemes that claim an order, each with it.

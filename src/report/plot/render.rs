@@ -29,8 +29,8 @@ fn fault(error: impl std::fmt::Display) -> Fault {
 /// The PNG is drawn so many times larger and then averaged: the backend does not smooth thick lines itself.
 const OVERSAMPLING: usize = 2;
 
-/// Pixels of the PNG a picture unit: 2600 units are 1352 pixels, 200 an inch over the width of a page of paper; small letters are 14 high.
-const SCALE: f64 = 0.52;
+/// Pixels of the PNG a picture unit: 2600 units are 1300 pixels, 190 an inch over the width of a page of paper; small letters are 14 high.
+const SCALE: f64 = 0.5;
 
 /// Backend pixels a picture unit.
 const ZOOM: f64 = OVERSAMPLING as f64 * SCALE;

@@ -5,7 +5,7 @@ use crate::report::ranking::{self, Ladder};
 use super::axis::Axis;
 use super::convergence_panel::bounds;
 use super::legend;
-use super::palette::{BAND, INK, PALE, Palette};
+use super::palette::{BAND, GUIDE, INK, Marker, PALE, Palette};
 use super::panel::{self, Frame, Panel};
 use super::sketch::{Anchor, Place, Sketch};
 
@@ -53,7 +53,9 @@ impl View<'_> {
         let (named, grey): (Vec<&Ladder>, Vec<&Ladder>) =
             self.ladders.iter().partition(|ladder| self.palette.schemes().contains(&ladder.scheme));
         for ladder in grey {
-            sketch.line(self.places(&panel, ladder), PALE, 2.5);
+            let places = self.places(&panel, ladder);
+            places.iter().for_each(|place| sketch.marker(Marker::Disc, *place, 5.0, GUIDE, true));
+            sketch.line(places, PALE, 2.5);
         }
         for ladder in &named {
             let look = self.palette.look(ladder.scheme);

@@ -48,11 +48,14 @@ fn panel(map: &Map, used: &[usize]) -> Panel {
 
 fn curve(curve: &crate::record::stability::MapCurve) -> Curve {
     Curve {
-        words: curve.name.clone(),
+        words: if curve.name == MEASURED { "measured limit".to_owned() } else { curve.name.clone() },
         places: curve.x.iter().copied().zip(curve.y.iter().copied()).collect(),
-        dashed: curve.name == "measured",
+        dashed: curve.name == MEASURED,
     }
 }
+
+/// The curve of a map that runs found; the others are theory.
+const MEASURED: &str = "measured";
 
 fn range(axis: &MapAxis) -> Range {
     let title = if axis.unit == "1" { axis.name.clone() } else { format!("{} [{}]", axis.name, axis.unit) };

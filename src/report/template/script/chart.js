@@ -6,13 +6,7 @@ class Chart {
     Object.assign(this, { figure, data, x: data.x[0][0], y: data.y[0][0], part: "total", log: [...data.log], point: null });
     this.names = [...new Set(data.lines.map(line => line.name))];
     this.on = new Set(this.names);
-    // Names of one colour differ in their dashes.
-    const met = new Map();
-    this.dashes = new Map(this.names.map(name => {
-      const colour = data.lines.find(line => line.name === name).colour;
-      met.set(colour, (met.get(colour) ?? -1) + 1);
-      return [name, ["", "7 3", "2 3", "9 3 2 3"][met.get(colour) % 4]];
-    }));
+    this.dashes = new Map(data.lines.map(line => [line.name, line.look.split(" ")[2]]));
     // Many lines are too many: the first dozen is shown at first.
     if (this.names.length > 24) this.on = new Set(this.names.slice(0, 12));
     this.reading = polhode.make("p", { class: "reading", role: "status" });
@@ -70,7 +64,7 @@ class Chart {
 
   paint() {
     for (const line of this.data.lines) {
-      const colour = polhode.shown(line.colour);
+      const colour = polhode.shown(line.look);
       const gap = `repeating-linear-gradient(90deg, ${colour} 0 4px, transparent 4px 6px)`;
       this.keys.get(line.name).swatch.style.background = this.dashes.get(line.name) ? gap : colour;
     }
@@ -182,7 +176,7 @@ class Chart {
       const dot = ([x, y]) => `M${x} ${y}m-2.5 0a2.5 2.5 0 1 0 5 0a2.5 2.5 0 1 0 -5 0`;
       const path = "M" + places.map(place => place.join(" ")).join("L");
       const dots = places.length <= 40 && this.lines.length <= 80 ? places.map(dot).join("") : "";
-      const look = { fill: "none", stroke: polhode.shown(line.colour), "stroke-width": 1.6, "stroke-dasharray": this.dashes.get(line.name) || null };
+      const look = { fill: "none", stroke: polhode.shown(line.look), "stroke-width": 1.6, "stroke-dasharray": this.dashes.get(line.name) || null };
       return polhode.make("path", { class: "line", d: path + dots, "data-name": line.name, ...look });
     });
   }
@@ -224,7 +218,7 @@ class Chart {
       return;
     }
     const [cx, cy] = this.place([x, y]);
-    for (const [name, value] of Object.entries({ cx, cy, stroke: polhode.shown(own.line.colour), visibility: "visible" })) {
+    for (const [name, value] of Object.entries({ cx, cy, stroke: polhode.shown(own.line.look), visibility: "visible" })) {
       this.mark.setAttribute(name, value);
     }
     const words = (list, key) => list.find(([own]) => own === key)[1];

@@ -196,7 +196,7 @@ class Motion {
     const depth = places => places.reduce((sum, one) => sum + one[2], 0);
     const turn = this.turnAt(this.run);
     const sides = faces.map(face => face.map(n => place(turned(turn, corner(n))))).sort((a, b) => depth(a) - depth(b));
-    const colour = polhode.shown(this.run.colour);
+    const colour = polhode.shown(this.run.look);
     sides.forEach((side, n) => {
       path(side);
       pen.globalAlpha = 0.25 + 0.09 * n;
@@ -279,7 +279,7 @@ class Motion {
   paths(pen, place, points) {
     const { ink } = this.inks();
     const until = Math.ceil(this.now()) + 1;
-    const colour = polhode.shown(this.run.colour);
+    const colour = polhode.shown(this.run.look);
     const [truth, run] = [points(this.truth), points(this.run)];
     const shown = list => this.at > 0 ? list.slice(0, until) : list;
     this.trace(pen, place, shown(run), colour, this.run.coarse ? 1 : 2.5, false);

@@ -23,15 +23,9 @@ const polhode = {
 
   dark: matchMedia("(prefers-color-scheme: dark)"),
 
-  /** A colour that stands out from the ground: black is lightened on a dark ground, yellow darkened on a light one. */
-  shown(colour) {
-    const part = at => parseInt(colour.slice(at, at + 2), 16);
-    let rgb = [part(1), part(3), part(5)];
-    const light = rgb => (0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]) / 255;
-    for (let n = 0; n < 12 && (this.dark.matches ? light(rgb) < 0.42 : light(rgb) > 0.62); n++) {
-      rgb = rgb.map(value => this.dark.matches ? value + 0.15 * (255 - value) : 0.88 * value);
-    }
-    return `rgb(${rgb.map(Math.round).join(",")})`;
+  /** The colour of a look on the ground of the page. */
+  shown(look) {
+    return look.split(" ")[this.dark.matches ? 1 : 0];
   },
 
   /** A number in a few digits. */
