@@ -103,9 +103,11 @@ pub(super) fn order(value: Option<f64>, low: Option<f64>, high: Option<f64>) -> 
 pub(super) fn brief_order(value: Option<f64>, low: Option<f64>, high: Option<f64>) -> String {
     let Some(value) = value else { return NONE.into() };
     let (Some(low), Some(high)) = (low, high) else { return minus(&format!("{value:.2}")) };
-    let off = (high - value).max(value - low);
-    let decimals: i32 = if off < 0.0095 { 3 } else { 2 };
-    let last = (off * 10f64.powi(decimals)).ceil().max(1.0);
+    let decimals: i32 = if (high - value).max(value - low) < 0.0085 { 3 } else { 2 };
+    let [scaled, low, high] = [value, low, high].map(|number| number * 10f64.powi(decimals));
+    // From the number in print on; a billionth of a digit is rounding.
+    let off = (high - scaled.round()).max(scaled.round() - low);
+    let last = (off - 1e-9).ceil().max(1.0);
     minus(&format!("{value:.0$}({last:.0})", decimals as usize))
 }
 
@@ -129,6 +131,7 @@ mod tests {
         assert_eq!(brief(2.0021, 1.9955, 2.0049), "2.002(7)");
         assert_eq!(brief(2.0, 1.99999, 2.00001), "2.000(1)");
         assert_eq!(brief(3.22, 2.8, 3.22), "3.22(42)");
+        assert_eq!(brief(2.0024, 1.9980, 2.0094), "2.002(8)");
         assert_eq!(brief_order(Some(1.5), None, None), "1.50");
         assert_eq!(brief_order(None, None, None), NONE);
     }
