@@ -149,7 +149,7 @@ impl Made {
     }
 
     /// On record as it is.
-    pub fn is_its_record(mut self) -> Made {
+    pub fn as_its_record(mut self) -> Made {
         let evidence = vec![Arc::new(self.evidence.clone())];
         self.baseline = Baseline::from_records(&Records { evidence, ..Records::default() });
         self

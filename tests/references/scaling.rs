@@ -64,9 +64,8 @@ fn a_scene_scaled_by_1e_plus_minus_10_gives_the_same_dimensionless_answer() {
 fn a_body_turns_alike_however_fast_it_flies() {
     // In the time in which it passes its own length it turns by 1e-10 rad and less: powers of that leave the range of f64.
     for speed in [1e3, 1e6, 1e9, 1e12] {
-        let system = |velocity| {
-            free(&CLUSTER, [[0.0; 3], [velocity, 0.0, 0.0], [1.5e-3, -2.0e-3, 2.5e-3]], Vec::new())
-        };
+        let system =
+            |velocity| free(CLUSTER, [[0.0; 3], [velocity, 0.0, 0.0], [1.5e-3, -2.0e-3, 2.5e-3]], Vec::new());
         let turned = |velocity| Reference::of(&system(velocity), 2e4, 8, None).expect("a reference");
         let (still, flying) = (turned(0.0), turned(speed));
         assert!(flying.sources.iter().all(|s| s.role != Role::Failed), "{:?}", flying.sources);

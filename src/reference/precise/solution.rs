@@ -227,10 +227,12 @@ impl Moment {
 
 #[cfg(test)]
 mod tests {
+    use super::super::scale::Scale;
+    use super::super::taylor;
     use super::*;
     use crate::model::Spin;
     use crate::model::body::{Body, MassPoint};
-    use crate::model::forces::{Gravity, Ground, Law};
+    use crate::model::forces::{Forces, Gravity, Ground, Law};
     use crate::rotation::Rotation;
 
     /// An uneven body dropped on a ground at this height [m], which it touches again and again or never.
@@ -279,6 +281,26 @@ mod tests {
                     assert!(apart <= bound, "{height}, {} s, {quantity:?}: {apart:e}", a.time);
                 }
             }
+        }
+    }
+
+    /// The quaternion of a body without forces at 1 s, in units whose second is so many of the scene's own.
+    fn turned(second: f64) -> Vec<f64> {
+        let system = System { forces: Forces::default(), ..dropped(0.0) };
+        let own = Scale::of(&system, 1.0);
+        let (time, speed, momentum) = (own.time * second, own.speed * second, own.momentum * second);
+        let problem = Problem::in_units(&system, Scale { time, speed, momentum, ..own }, 0.0);
+        let course = taylor::along(&problem, 0.0, &[1.0], &CONTROLS[0], AFFORDABLE).expect("a run");
+        let first = problem.quaternion.expect("it turns");
+        course.states[0][first..first + 4].iter().map(|x| x.to_f64()).collect()
+    }
+
+    #[test]
+    fn a_series_whose_last_terms_leave_the_range_of_f64_goes_no_further_than_it_may() {
+        let expected = turned(1.0);
+        // 2^-30 to the 38th power is 1e-343.
+        for second in [0.5f64.powi(20), 0.5f64.powi(30), 0.5f64.powi(40)] {
+            assert_eq!(turned(second), expected, "{second}");
         }
     }
 }

@@ -166,31 +166,3 @@ fn step(series: &Series, problem: &Problem, control: &Control) -> f64 {
     }
     f64::from(steps.into_iter().fold(LONGEST, f64::min) as f32)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::reference::precise::scale::Scale;
-    use crate::scenes::Scene;
-
-    /// The quaternion at 1 s, in units whose second is so many of the scene's own.
-    fn turned(second: f64) -> Vec<f64> {
-        let system = Scene::find("free-asymmetric").expect("built in").system;
-        let own = Scale::of(&system, 1.0);
-        let (time, speed, momentum) = (own.time * second, own.speed * second, own.momentum * second);
-        let problem = Problem::in_units(&system, Scale { time, speed, momentum, ..own }, 0.0);
-        let control = Control { order: 38, tolerance: 1e-33 };
-        let course = along(&problem, 0.0, &[1.0], &control, f64::INFINITY).expect("a run");
-        let first = problem.quaternion.expect("it turns");
-        course.states[0][first..first + 4].iter().map(|x| x.to_f64()).collect()
-    }
-
-    #[test]
-    fn a_series_whose_last_terms_leave_the_range_of_f64_goes_no_further_than_it_may() {
-        let expected = turned(1.0);
-        // 2^-30 to the 38th power is 1e-343.
-        for second in [0.5f64.powi(20), 0.5f64.powi(30), 0.5f64.powi(40)] {
-            assert_eq!(turned(second), expected, "{second}");
-        }
-    }
-}
