@@ -148,8 +148,8 @@ impl Made {
         self
     }
 
-    /// On record as it is.
-    pub fn as_its_record(mut self) -> Made {
+    /// Puts it on record as it is.
+    pub fn put_on_record(mut self) -> Made {
         let evidence = vec![Arc::new(self.evidence.clone())];
         self.baseline = Baseline::from_records(&Records { evidence, ..Records::default() });
         self

@@ -11,7 +11,7 @@ const EXACT: Claim = Claim::Exact(Quantity::AngularMomentum, When::NoTorque);
 
 /// The ruling on claims against others on record.
 fn ruling(known: &[Claim], now: &[Claim]) -> (Ruling, [Option<f64>; 3]) {
-    let recorded = Made::new("free-asymmetric", known).as_its_record();
+    let recorded = Made::new("free-asymmetric", known).put_on_record();
     let mut made = Made::new("free-asymmetric", now);
     made.baseline = recorded.baseline;
     let verdict = made.verdict(ClaimsOnRecord, "claims");
@@ -40,6 +40,6 @@ fn a_claim_on_record_that_is_no_longer_made_fails() {
 fn without_claims_on_record_there_is_no_verdict() {
     let mut made = Made::new("free-asymmetric", &[EXACT]);
     assert!(made.judge().iter().all(|verdict| verdict.claim != ClaimsOnRecord));
-    made.baseline = Made::new("free-asymmetric", &[]).as_its_record().baseline;
+    made.baseline = Made::new("free-asymmetric", &[]).put_on_record().baseline;
     assert!(made.judge().iter().all(|verdict| verdict.claim != ClaimsOnRecord));
 }
