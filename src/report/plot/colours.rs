@@ -2,14 +2,14 @@
 
 use std::collections::HashMap;
 
-use super::palette::{COLOURS, LINES};
+use super::palette::{COLOURS, GRID, GUIDE, INK, LINES, PALE, SOFT};
 
 /// Colours of a chart: two pixels in a byte make it a third smaller than 64 colours, and the eye sees no difference.
 pub(super) const FEW: usize = 16;
 /// Colours of a chart of many schemes: those take more than half of the few.
 const SOME: usize = 18;
-/// Colours of few that are left for text, grids and edges at the least.
-const LEFT: usize = 6;
+/// Colours that are left for edges at the least.
+const LEFT: usize = 2;
 /// Colours of a table whose cells have many: fewer compress better than the 256 that a byte can name.
 const MANY: usize = 64;
 /// Pixels whose colour is not among them, at the most; where more are not, the picture is a map of many colours.
@@ -39,20 +39,19 @@ pub(super) fn named(pixels: &[u8]) -> Option<Named> {
         let kept: usize = colours.iter().take(*most).map(|(_, count)| count).sum();
         kept as f64 >= (1.0 - REST) * all.len() as f64
     };
-    let schemes = colours.iter().filter(|(colour, _)| is_of_a_scheme(colour)).count();
-    let enough = |most: &usize| *most >= schemes + LEFT && covers(most);
+    let inks = colours.iter().filter(|(colour, _)| is_ink(colour)).count();
+    let enough = |most: &usize| *most >= inks + LEFT && covers(most);
     let (palette, numbers) = chosen(&colours, [FEW, SOME, MANY].into_iter().find(enough)?)?;
     let numbers: HashMap<Colour, u8> = colours.iter().map(|(colour, _)| *colour).zip(numbers).collect();
     Some(Named { palette: palette.concat(), pixels: all.iter().map(|colour| numbers[colour]).collect() })
 }
 
-/// So many of the colours, and the number of the nearest for each. The most frequent one and those of schemes come first, however few pixels they
-/// have; each other in turn is the one that is missed the most: by its pixels times the fourth power of its distance from those before, since an
+/// So many of the colours, and the number of the nearest for each. The most frequent one, those of schemes and of text come first, however few pixels
+/// they have; each other in turn is the one that is missed the most: by its pixels times the fourth power of its distance from those before, since an
 /// eye forgives many pixels that are a little off.
 fn chosen(colours: &[(Colour, usize)], most: usize) -> Option<(Vec<Colour>, Vec<u8>)> {
     let first = colours.first()?.0;
-    let mut wanted =
-        colours.iter().map(|(colour, _)| *colour).filter(|one| *one != first && is_of_a_scheme(one));
+    let mut wanted = colours.iter().map(|(colour, _)| *colour).filter(|one| *one != first && is_ink(one));
     let mut palette: Vec<Colour> = Vec::new();
     let mut nearest = vec![(FAR, 0); colours.len()];
     let mut next = Some(first);
@@ -69,9 +68,11 @@ fn chosen(colours: &[(Colour, usize)], most: usize) -> Option<(Vec<Colour>, Vec<
     Some((palette, nearest.into_iter().map(|(_, number)| number).collect()))
 }
 
-fn is_of_a_scheme(colour: &Colour) -> bool {
+/// Whether it is the colour of a scheme, or of text and rules.
+fn is_ink(colour: &Colour) -> bool {
     let lines = LINES.iter().map(|(ink, _)| ink);
-    lines.chain(&COLOURS).any(|ink| [ink.0, ink.1, ink.2] == *colour)
+    let inks = lines.chain(&COLOURS).chain(&[INK, SOFT, GUIDE, GRID, PALE]);
+    inks.into_iter().any(|ink| [ink.0, ink.1, ink.2] == *colour)
 }
 
 fn distance(a: &Colour, b: &Colour) -> i64 {

@@ -44,13 +44,13 @@ pub(super) const LINES: [(RGBColor, RGBColor); KEPT] = [
     (RGBColor(0x00, 0x9e, 0x73), RGBColor(0x03, 0xde, 0xaa)),
     (RGBColor(0xb0, 0x79, 0xd5), RGBColor(0xb8, 0x35, 0xf3)),
     (RGBColor(0x4f, 0xa5, 0x08), RGBColor(0xba, 0xdf, 0x0e)),
-    (RGBColor(0x1d, 0x97, 0xbf), RGBColor(0x1d, 0xed, 0xff)),
     (RGBColor(0x85, 0x1c, 0x43), RGBColor(0xf6, 0x27, 0x9f)),
+    (RGBColor(0x1d, 0x97, 0xbf), RGBColor(0x1d, 0xed, 0xff)),
     (RGBColor(0xbd, 0x30, 0x16), RGBColor(0xe6, 0x2d, 0x00)),
     (RGBColor(0xe9, 0x2d, 0x94), RGBColor(0xef, 0x77, 0xb9)),
-    (RGBColor(0x77, 0x88, 0x37), RGBColor(0x50, 0xcb, 0x18)),
     (RGBColor(0x45, 0x79, 0xec), RGBColor(0x7e, 0x7c, 0xfa)),
     (RGBColor(0x18, 0x6b, 0x09), RGBColor(0x00, 0xff, 0x00)),
+    (RGBColor(0x77, 0x88, 0x37), RGBColor(0x50, 0xcb, 0x18)),
 ];
 
 /// Looks of one dash, one after the other.
@@ -244,7 +244,7 @@ mod tests {
     }
 
     /// Colours side by side are told apart from 0.02 in OKLab on; a thin line far from its legend needs several times as much. Of the ten
-    /// colours of Tableau, which most plots have for ten lines, the two nearest are 0.113 apart (brown and grey).
+    /// colours of Tableau, which most plots have for ten lines, the two nearest are 0.113 apart (brown and grey). It holds for one marker, too.
     const OF_ONE_DASH: f64 = 0.12;
     /// Where dash and marker differ, too.
     const OF_ANY_TWO: f64 = 0.09;
@@ -261,8 +261,13 @@ mod tests {
                     let [a, b] = [one, other].map(|number| linear(side(&LINES[number])));
                     let apart = distance(a, b);
                     assert!(apart >= OF_ANY_TWO, "{other} and {one}: {apart}");
-                    if look(one).dash == look(other).dash {
-                        assert!(look(one).marker != look(other).marker, "{other} and {one}");
+                    // A picture of points has markers alone.
+                    let [a_look, b_look] = [one, other].map(look);
+                    if a_look.marker == b_look.marker {
+                        assert!(apart >= OF_ONE_DASH, "{other} and {one}: {apart}");
+                    }
+                    if a_look.dash == b_look.dash {
+                        assert!(a_look.marker != b_look.marker, "{other} and {one}");
                         assert!(apart >= OF_ONE_DASH, "{other} and {one}: {apart}");
                         for eye in &DICHROMATS {
                             let apart = distance_for(eye, a, b);
