@@ -2,11 +2,12 @@
 //! flaw. It shares no code with the scheme under test but the force laws.
 
 use super::flaw::Flaw;
+use crate::interrupt;
 use crate::model::forces::{Arms, Cloud, Load};
 use crate::model::{Broken, Snapshot, System};
 use crate::rotation;
 use crate::schemes::Scheme;
-use crate::simulate::{Contestant, Form, Outcome, Plan};
+use crate::simulate::{Break, Contestant, Form, Outcome, Plan};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 type V3 = Vector3<f64>;
@@ -47,7 +48,12 @@ fn run(flaw: Flaw, system: &System, _form: Form, plan: &Plan, store: &mut dyn Fn
     let mut state = copy.start();
     let mut outcome = Outcome::none_yet();
     for n in 0..=plan.steps {
-        if n % plan.every == 0 || n == plan.steps {
+        if n.is_multiple_of(plan.every) || n == plan.steps {
+            if interrupt::requested() {
+                let (step, why) = (n + 1, Broken::Interrupted);
+                outcome.broken = Some(Break { step, time: n as f64 * plan.step, why });
+                return outcome;
+            }
             store(&copy.observe(n as f64 * plan.step, &state));
         }
         if n < plan.steps && !(flaw == Flaw::LastStepDropped && n + 1 == plan.steps) {
@@ -62,7 +68,7 @@ fn run(flaw: Flaw, system: &System, _form: Form, plan: &Plan, store: &mut dyn Fn
     let sum = state.momentum.sum() + state.position.sum() + state.arms.iter().map(|a| a.sum()).sum::<f64>();
     if !sum.is_finite() {
         let why = Broken::NotFinite;
-        outcome.broken = Some(crate::simulate::Break { step: plan.steps, time: 0.0, why });
+        outcome.broken = Some(Break { step: plan.steps, time: 0.0, why });
     }
     outcome.steps = plan.steps;
     outcome.evaluations = 2 * plan.steps;

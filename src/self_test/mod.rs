@@ -194,6 +194,9 @@ fn look_for(defect: &Defect, on_record: &BTreeMap<&str, Baseline>) -> Outcome {
         scenes: Vec::new(),
     };
     for scene in defect.scenes {
+        if interrupt::requested() {
+            break;
+        }
         let Some(baseline) = on_record.get(scene) else { continue };
         let red: Vec<String> = verdicts(&defect.plant, scene, baseline)
             .into_iter()
