@@ -254,9 +254,7 @@ impl Claim {
             Claim::Solves(_) => ClaimName::Solves,
         }
     }
-}
 
-impl Claim {
     /// Whether what keeps this claim keeps the other.
     pub fn contains(self, other: Claim) -> bool {
         match (self, other) {

@@ -8,7 +8,6 @@ use super::ladder::ROUNDING_DIGITS;
 use super::order::{Asked, BELOW, Decision, Run, decide};
 use crate::model::body::Shape;
 use crate::model::copies::CLEAR;
-use crate::model::forces::Forces;
 use crate::model::{Snapshot, System};
 #[cfg(feature = "solvers")]
 use crate::ode::dop853;
@@ -198,25 +197,19 @@ impl Twice {
 }
 
 /// Flips of the truth, by dop853 from each state of the reference to the next, so that no error grows over the run; `None` for a body that does
-/// not tumble, or where the solver fails. The solver turns the body where it is: nothing turns it otherwise on its path.
+/// not tumble, or where the solver fails.
 pub fn true_flips(system: &System, reference: &Reference, fastest: f64) -> Option<TrueFlips> {
     let axis = tumbling_axis(system)?;
     let duration = *reference.times.last()?;
     let fine = TRUE_SAMPLES.max((duration * fastest * 16.0).min(65536.0) as u32);
     // An even number, so that every second state is one of the reference.
     let parts = 2 * fine.div_ceil(2 * (reference.times.len() as u32 - 1));
-    let mut rotor = system.clone();
-    rotor.forces = Forces::default();
-    let still = |state: &Snapshot| {
-        let position = rotor.start.position;
-        rotor.started_at(&Snapshot { position, velocity: Vector3::zeros(), ..*state })
-    };
     let (mut finder, mut apart) = (Twice::new(axis), 0.0);
     finder.push(reference.states.first()?);
     for (pair, start) in reference.states.windows(2).zip(&reference.times) {
         let long = pair[1].time - pair[0].time;
         let times: Vec<f64> = (0..=parts).map(|j| f64::from(j) * long / f64::from(parts)).collect();
-        let states = motion(&still(&pair[0]), &times)?;
+        let states = motion(&system.started_at(&pair[0]), &times)?;
         states[1..].iter().for_each(|s| finder.push(&Snapshot { time: start + s.time, ..*s }));
         let angle = rotation::angle_between(&states.last()?.orientation, &pair[1].orientation);
         apart = super::larger(apart, angle);

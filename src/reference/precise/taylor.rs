@@ -160,7 +160,7 @@ fn step(series: &Series, problem: &Problem, control: &Control) -> f64 {
     let lost = last.iter().all(|(_, norm)| *norm < LOST);
     let before = || (1..order - 2).rev().map(norm).find(|(_, norm)| *norm > LOST);
     let leaving = if lost { before().filter(|(_, norm)| *norm < LOST.sqrt()) } else { None };
-    let steps = leaving.map_or(last.map(of), |before| [of(before); 3]);
+    let steps = if let Some(before) = leaving { [of(before); 3] } else { last.map(of) };
     if steps.iter().any(|step| step.is_nan()) {
         return f64::NAN;
     }

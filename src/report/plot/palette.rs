@@ -243,7 +243,7 @@ mod tests {
         distance(seen(one), seen(other))
     }
 
-    /// Colours side by side are told apart from 0.02 in OKLab on; a thin line far from its legend needs several times as much. Of the ten
+    /// Colours side by side look different where they are 0.02 apart in OKLab; a thin line far from its legend needs several times as much. Of the ten
     /// colours of Tableau, which most plots have for ten lines, the two nearest are 0.113 apart (brown and grey). It holds for one marker, too.
     const OF_ONE_DASH: f64 = 0.12;
     /// Where dash and marker differ, too.
@@ -254,7 +254,7 @@ mod tests {
     const OF_A_LINE: f64 = 3.0;
 
     #[test]
-    fn twelve_looks_are_told_apart_on_white_and_on_a_dark_ground() {
+    fn twelve_looks_differ_on_white_and_on_a_dark_ground() {
         for side in [|pair: &(RGBColor, RGBColor)| pair.0, |pair: &(RGBColor, RGBColor)| pair.1] {
             for one in 0..KEPT {
                 for other in 0..one {
