@@ -5,7 +5,7 @@
 //! roundings of the way there to the last bit.
 
 use super::copies::{rounding, starts_in};
-use super::{Rung, steady_rung};
+use super::{CLEAR, Rung, steady_rung};
 use crate::arithmetic::{DoubleDouble, Real};
 use crate::model::{Broken, PerQuantity, Quantity, Snapshot, System, difference, larger, sizes};
 use crate::record::Reversal;
@@ -53,14 +53,25 @@ fn measured<T: Arithmetic>(
     };
     let there: Vec<Snapshot> = own.there.iter().map(Snapshot::nearest).collect();
     let apart = |a: &Snapshot<T>, b: &Snapshot<T>| difference(&system.body, a, b).map(Real::to_f64);
-    let starts = starts_in(system, (given, &there));
-    // A copy that breaks is left out.
-    let copies = starts.iter().filter_map(|start| there_and_back(contestant, start, step, steps).ok());
-    let spread =
-        copies.fold(PerQuantity::all(0.0), |largest, copy| largest.max(apart(&copy.back, &own.back)));
-    let rounding = rounding(&spread, &sizes(given, &there), (T::UNIT, own.evaluations));
-    let (of_rounding, worst) = worst(apart(&own.back, &own.start), rounding);
-    Reversal { solves: own.solves, open: spread[Quantity::Orientation], of_rounding, worst, ..reversal }
+    let (off, sizes) = (apart(&own.back, &own.start), sizes(given, &there));
+    let of = |spread: &PerQuantity<f64>| worst(off, rounding(spread, &sizes, (T::UNIT, own.evaluations)));
+    let mut spread = PerQuantity::all(0.0);
+    let (mut of_rounding, mut largest) = of(&spread);
+    // Where a rounding of each evaluation explains the distance, a growth of roundings need not.
+    if of_rounding.is_none_or(|of_rounding| of_rounding > CLEAR) {
+        let starts = starts_in(system, (given, &there));
+        // A copy that breaks is left out.
+        let copies = starts.iter().filter_map(|start| there_and_back(contestant, start, step, steps).ok());
+        spread = copies.fold(spread, |largest, copy| largest.max(apart(&copy.back, &own.back)));
+        (of_rounding, largest) = of(&spread);
+    }
+    Reversal {
+        solves: own.solves,
+        open: spread[Quantity::Orientation],
+        of_rounding,
+        worst: largest,
+        ..reversal
+    }
 }
 
 /// A way there and back.

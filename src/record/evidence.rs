@@ -377,7 +377,7 @@ pub struct Reversal {
     /// Implicit equations that were solved on the way there.
     #[serde(default, skip_serializing_if = "is_nothing")]
     pub solves: u64,
-    /// Angle that roundings leave open [rad], in f64.
+    /// Angle that roundings leave open [rad]; 0 where no copies were run, since the distance is explained without them.
     pub open: f64,
     /// Whether the way was in double-double.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]

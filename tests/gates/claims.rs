@@ -175,6 +175,22 @@ fn a_rule_that_prefers_an_axis_or_a_unit_is_found_in_another_world() {
 }
 
 #[test]
+fn a_way_back_has_copies_only_where_a_rounding_of_each_evaluation_does_not_explain_its_distance() {
+    let way_back = |name| {
+        let records = campaign(claiming(name, &[Claim::Reversible]), "kovalevskaya").run();
+        let reversal = records.evidence[0].reversal.clone().expect("a way back");
+        (reversal.open > 0.0, reversal.of_rounding.is_some_and(|times| times > 30.0), records.verdicts)
+    };
+    for (name, far) in [("implicit-midpoint", false), ("rk4-quaternion", true)] {
+        let (has_copies, is_far, verdicts) = way_back(name);
+        assert_eq!((has_copies, is_far), (far, far), "{name}");
+        let verdict =
+            verdicts.iter().find(|verdict| verdict.claim.word() == "reversible").expect("a verdict");
+        assert_eq!(verdict.verdict, if far { Ruling::Fail } else { Ruling::Pass }, "{name}");
+    }
+}
+
+#[test]
 fn an_order_that_is_claimed_one_too_low_fails_in_every_generic_scene() {
     let generic: Vec<Scene> = scenes::built_in().into_iter().filter(|scene| setting(scene).generic).collect();
     assert_eq!(generic.len(), 8);
