@@ -102,6 +102,7 @@ fn evidence(
         ladder: climbed.ladder.clone(),
         precise: climbed.precise.clone(),
         exactness: climbed.exactness.clone(),
+        beginning: climbed.beginning.clone(),
         drift: drift.unwrap_or_default(),
         left_out: (climbed.left_out.is_some() || left_out.drift).then_some(left_out),
         points: measure::point_run(contestant, system, scene.duration, fastest),

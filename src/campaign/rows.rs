@@ -194,7 +194,7 @@ pub(super) fn orders(names: &Names, evidence: &Evidence) -> Vec<Order> {
 /// What the rule of orders says of a quantity.
 fn order(names: &Names, evidence: &Evidence, quantity: Quantity) -> Order {
     let ladder = &evidence.ladder;
-    let (decision, finer) = decide_either(ladder, evidence.precise.as_ref(), quantity);
+    let (decision, finer) = decide_either(evidence.ladders(), quantity);
     let asked = Asked::of(finer.unwrap_or(ladder), quantity);
     let last = asked.runs.last();
     let mut row = Order {

@@ -35,7 +35,7 @@ fn open(evidence: &Evidence, left_out: &LeftOut) -> Vec<&'static str> {
     }
     let judged = evidence.order() > 0 && evidence.setting.not_for_order.is_none();
     let waits = |quantity: &Quantity| {
-        let (decision, _) = decide_either(&evidence.ladder, evidence.precise.as_ref(), *quantity);
+        let (decision, _) = decide_either(evidence.ladders(), *quantity);
         matches!(decision, Decision::Undecided(_)) && !promised_exact(evidence, *quantity)
     };
     let quantities = Quantity::ALL.into_iter().filter(|_| judged && left_out.steps.is_some()).filter(waits);

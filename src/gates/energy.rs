@@ -107,6 +107,13 @@ fn judge_rate(evidence: &Evidence, drift: &EnergyDrift, claimed: u32, grows: boo
                 _ => (Rule::Rounding, "fewer than four rates are larger than their uncertainty".to_owned()),
             };
             let finest = &drift.rungs[drift.rungs.len() - 1];
+            if finest.level >= 1.0 {
+                let detail = format!(
+                    "down to h = {:.1e} s the energy changes by as much as itself: the rate at small steps is not seen",
+                    finest.step
+                );
+                return rule(Ruling::NotApplicable, detail);
+            }
             let detail = format!(
                 "{}: no order of the rate in h down to h = {:.1e} s, where it is {:.1e} ± {:.1e} 1/s: {why}",
                 class.word(),

@@ -14,7 +14,7 @@ use crate::measure::{
     Asked, BELOW, Decision, Doubt, GIANT_STEPS, HIGHEST, Order, Run, decide_either, start_allows,
 };
 use crate::model::Quantity;
-use crate::record::{ClaimName, Evidence, Rule, Ruling, Rung, Verdict, length};
+use crate::record::{ClaimName, Evidence, Ladder, Rule, Ruling, Rung, Verdict, length};
 
 /// Least fall of an error from one run to the next, over what its order explains, that is named: three orders more.
 const NAMED: f64 = 8.0;
@@ -30,25 +30,26 @@ pub(super) fn judge(evidence: &Evidence, baseline: &Baseline) -> Vec<Verdict> {
     }
     let judged = Quantity::ALL.into_iter().filter(|quantity| !does_not_turn(evidence, *quantity));
     let decide = |quantity| {
-        let (decision, finer) = decide_either(&evidence.ladder, evidence.precise.as_ref(), quantity);
-        (quantity, decision, finer.is_some())
+        let (decision, finer) = decide_either(evidence.ladders(), quantity);
+        (quantity, decision, finer)
     };
-    let decided: Vec<(Quantity, Decision, bool)> = judged.map(decide).collect();
+    let decided: Vec<(Quantity, Decision, Option<&Ladder>)> = judged.map(decide).collect();
     let mut verdicts: Vec<Verdict> = Vec::new();
-    for (quantity, decision, precise) in &decided {
+    for (quantity, decision, other) in &decided {
         verdicts.extend(judge_start(evidence, *quantity).filter(|_| evidence.program));
         // An order that is judged says whether the runs converge.
         let order = judge_order(evidence, *quantity, decision);
         let mut order = order.unwrap_or_else(|| judge_convergence(evidence, *quantity, decision));
         let order_fails = order.claim == ClaimName::Order && order.verdict == Ruling::Fail;
-        if *precise {
-            order.detail += ", in double-double";
+        if let Some(other) = other {
+            let runs = if other.double_double { "in double-double" } else { "in runs that end there" };
+            order.detail += &format!(", {runs}");
         }
         verdicts.push(order);
-        // Both are of the runs in f64, whose order double-double does not tell.
-        let of_f64 = if *precise { None } else { Some(decision) };
-        verdicts.extend(judge_jump(evidence, *quantity, of_f64));
-        verdicts.extend(of_f64.and_then(|decision| judge_odd(evidence, *quantity, decision)));
+        // Both are of the runs in f64 over the whole motion, whose order others do not tell.
+        let of_whole = if other.is_some() { None } else { Some(decision) };
+        verdicts.extend(judge_jump(evidence, *quantity, of_whole));
+        verdicts.extend(of_whole.and_then(|decision| judge_odd(evidence, *quantity, decision)));
         verdicts.extend(on_record::judge_quantity(evidence, *quantity, (decision, order_fails), baseline));
     }
     if let Some(reason) = &evidence.setting.not_for_order {

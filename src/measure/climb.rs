@@ -2,7 +2,7 @@
 
 use super::ladder::{Climbed, Truth, shortened};
 use super::order::{Asked, Decision, decide};
-use super::precise::Precise;
+use super::precise::{Precise, decide_either};
 use crate::model::{Quantity, System};
 use crate::record::{self, length};
 use crate::reference::Reference;
@@ -27,6 +27,8 @@ const HIGH_ORDER: u32 = 6;
 const MOST_EVALUATIONS: u64 = 60_000;
 /// … and its tolerances: none is looser, and solvers in f64 fail below.
 const TOLERANCE: std::ops::RangeInclusive<f64> = 1e-12..=0.1;
+/// Times of the truth over a beginning, without the start.
+const BEGINNING_TIMES: usize = 4;
 /// Steps of the runs of a steady spin beside its ladder: exact is exact at every step.
 pub const GIANT_STEPS: [u64; 4] = [1, 3, 5, 7];
 
@@ -59,28 +61,11 @@ pub fn climb_within(
     // Sample times cut the steps of a solver that chooses them: over a turn or two there is one before the end.
     let fewest = if contestant.chooses_steps() { 0 } else { 1 };
     let truth = Truth::new(system, reference, quarters(reference, phase).max(fewest));
-    let mut climbed = Climbed {
-        model: contestant.model(system),
-        ladder: truth.ladder(),
-        precise: None,
-        exactness: None,
-        rungs: Vec::new(),
-        finest: [Vec::new(), Vec::new()],
-        truth: Vec::new(),
-        left_out: None,
-    };
     let precise = Precise::new(contestant, &truth);
     let asked = steps(contestant, phase, order.unwrap_or_default(), bounds);
     let affordable = |steps: &u64| bounds.afforded.is_none_or(|most| *steps <= most);
     let (steps, left_out) = asked.split_at(asked.partition_point(affordable));
-    let is_done = steps.iter().any(|steps| {
-        let (rung, shown, states) = truth.run(contestant, *steps, &mut climbed.ladder);
-        climbed.ladder.rungs.push(rung);
-        climbed.rungs.push(shown);
-        climbed.finest.swap(0, 1);
-        climbed.finest[0] = states;
-        climbed.refusal().is_some() || is_done(contestant, &climbed, order, precise.is_some())
-    });
+    let (mut climbed, is_done) = halved(contestant, &truth, steps, (order, precise.is_some()));
     climbed.left_out = left_out.first().copied().filter(|_| !is_done);
     let mut odd = odd_steps(contestant, system, &climbed);
     // A step across a jump of the laws says nothing of a scheme.
@@ -94,9 +79,79 @@ pub fn climb_within(
         climbed.exactness = steps.first().and_then(|first| precise.exactness(&climbed.ladder, *first));
     }
     climbed.truth = truth.states();
+    if bounds == Bounds::default() && !contestant.chooses_steps() {
+        climbed.beginning = beginning(contestant, system, &climbed, order.unwrap_or_default());
+    }
     shortened(&mut climbed.ladder);
-    climbed.precise.iter_mut().chain(&mut climbed.exactness).for_each(shortened);
+    let others = [&mut climbed.precise, &mut climbed.exactness, &mut climbed.beginning];
+    others.into_iter().flatten().for_each(shortened);
     climbed
+}
+
+/// Runs of these steps until finer ones would not change the answer, and whether it came to that; `precise` says whether double-double takes over.
+fn halved(
+    contestant: &Contestant,
+    truth: &Truth,
+    steps: &[u64],
+    (order, precise): (Option<u32>, bool),
+) -> (Climbed, bool) {
+    let mut climbed = Climbed {
+        model: contestant.model(truth.system),
+        ladder: truth.ladder(),
+        precise: None,
+        exactness: None,
+        beginning: None,
+        rungs: Vec::new(),
+        finest: [Vec::new(), Vec::new()],
+        truth: Vec::new(),
+        left_out: None,
+    };
+    let is_done = steps.iter().any(|steps| {
+        let (rung, shown, states) = truth.run(contestant, *steps, &mut climbed.ladder);
+        climbed.ladder.rungs.push(rung);
+        climbed.rungs.push(shown);
+        climbed.finest.swap(0, 1);
+        climbed.finest[0] = states;
+        climbed.refusal().is_some() || is_done(contestant, &climbed, order, precise)
+    });
+    (climbed, is_done)
+}
+
+/// Runs over the beginning of the motion, where the whole leaves orders open: over the longest of its quarters of quarters that decides the most of
+/// them. The shortest has four steps of the finest run. `None` where none is claimed, open or decided.
+fn beginning(
+    contestant: &Contestant,
+    system: &System,
+    climbed: &Climbed,
+    order: u32,
+) -> Option<record::Ladder> {
+    let (own, precise) = (&climbed.ladder, climbed.precise.as_ref());
+    let is_open = |quantity: &Quantity| decide_either((own, precise, None), *quantity).0.is_open();
+    let open: Vec<Quantity> = Quantity::ALL.into_iter().filter(is_open).collect();
+    if order == 0 || open.is_empty() {
+        return None;
+    }
+    let decided = |ladder: &record::Ladder| {
+        let is_decided =
+            |quantity: &&Quantity| decide_either((own, precise, Some(ladder)), **quantity).1.is_some();
+        open.iter().filter(is_decided).count()
+    };
+    let shortest = FEWEST_STEPS as f64 * own.rungs.last()?.step;
+    let quarters = std::iter::successors(own.times.first().copied(), |time| Some(0.25 * time)).skip(1);
+    let (mut most, mut found) = (0, None);
+    for duration in quarters.take_while(|duration| *duration >= shortest) {
+        let reference = Reference::of(system, duration, BEGINNING_TIMES, None).ok()?;
+        let truth = Truth::new(system, &reference, 1);
+        let steps = steps(contestant, phase(system, &reference), order, Bounds::default());
+        let ladder = halved(contestant, &truth, &steps, (Some(order), false)).0.ladder;
+        if decided(&ladder) > most {
+            (most, found) = (decided(&ladder), Some(ladder));
+        }
+        if most == open.len() {
+            break;
+        }
+    }
+    found
 }
 
 /// Steps of the runs beside a ladder, an odd number each.

@@ -44,12 +44,15 @@ const SAMPLES: u64 = 512;
 /// Difference of two moments, over the largest, below which they are one.
 const ONE_MOMENT: f64 = 1e-9;
 
-/// Whether there is no rate but that of rounding, or what the averages leave of an oscillation that has not gone elsewhere.
-fn is_flat(rung: &EnergyRung, long: f64) -> bool {
-    let oscillates =
-        // A change as large as the energy is that of a run whose step is too large for its rate to mean anything.
-        rung.level < 1.0 && rung.rate.abs() <= SEEN * rung.uncertainty && is_bounded(rung, long);
-    rung.rate.abs() * long <= rung.rounding / BELOW || oscillates
+/// Whether there is no rate but that of rounding.
+fn is_rounding(rung: &EnergyRung, long: f64) -> bool {
+    rung.rate.abs() * long <= rung.rounding / BELOW
+}
+
+/// Whether there is no rate but what the averages leave of an oscillation that has not gone elsewhere.
+fn oscillates(rung: &EnergyRung, long: f64) -> bool {
+    // A change as large as the energy is that of a run whose step is too large for its rate to mean anything.
+    rung.level < 1.0 && rung.rate.abs() <= SEEN * rung.uncertainty && is_bounded(rung, long)
 }
 
 /// Whether the rate makes a part of the largest change that is not seen.
@@ -216,7 +219,11 @@ impl LongRuns<'_> {
             let Some(rung) = run_rung(self.contestant, rotor, (self.long, steps, self.steady)) else {
                 return Ok(None);
             };
-            let is_settled = is_flat(&rung, self.long) || !self.secular() && is_bounded(&rung, self.long);
+            // An oscillation of an order falls with the step; at too large ones the motion is another.
+            let falls = drift.rungs.last().is_none_or(|coarser| rung.level < coarser.level);
+            let is_settled = is_rounding(&rung, self.long)
+                || falls && oscillates(&rung, self.long)
+                || !self.secular() && is_bounded(&rung, self.long);
             flat = if is_settled { flat + 1 } else { 0 };
             drift.rungs.push(rung);
             let found =

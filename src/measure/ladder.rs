@@ -33,6 +33,8 @@ pub struct Climbed {
     pub precise: Option<record::Ladder>,
     /// Runs in double-double to the first sample time, where a quantity is promised to be exact.
     pub exactness: Option<record::Ladder>,
+    /// Runs over the beginning of the motion, where neither decides an order.
+    pub beginning: Option<record::Ladder>,
     /// The runs, step falling, as tables show them.
     pub rungs: Vec<Rung>,
     /// States of the two finest runs at equal intervals, the finest first.

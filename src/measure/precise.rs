@@ -11,7 +11,7 @@ use crate::arithmetic::{DoubleDouble, Real};
 use crate::claim::Claim;
 use crate::model::body::{Body, MassPoint, Shape};
 use crate::model::{PerQuantity, Quantity, Snapshot, System};
-use crate::record::{Ladder, Rung, length};
+use crate::record::{Ladder, Ladders, Rung, length};
 use crate::reference::precise;
 use crate::rotation;
 use crate::simulate::{Contestant, Form, Plan};
@@ -165,20 +165,23 @@ impl Decision {
 }
 
 /// What the rule says of a quantity in f64; where that leaves the order open, in double-double if that decides it and f64 differs from it by
-/// rounding. The ladder of double-double is the second, where it decides.
-pub fn decide_either<'a>(
-    ladder: &'a Ladder,
-    precise: Option<&'a Ladder>,
+/// rounding; where that leaves it open too, over the beginning of the motion. The other ladder is the second, where it decides.
+pub fn decide_either(
+    (ladder, precise, beginning): Ladders<'_>,
     quantity: Quantity,
-) -> (Decision, Option<&'a Ladder>) {
+) -> (Decision, Option<&Ladder>) {
     let own = decide(&Asked::of(ladder, quantity));
-    let finer = precise.filter(|finer| own.is_open() && differ_by_rounding(ladder, finer, quantity));
-    let found = finer.map(|finer| (decide(&Asked::of(finer, quantity)), finer));
-    // Where f64 is open, numbers of the start that differ in the last place of f64 may grow to another motion.
-    match found.filter(|(found, _)| matches!(found, Decision::Exact | Decision::Order(_))) {
-        Some((found, finer)) => (found, Some(finer)),
-        None => (own, None),
+    if !own.is_open() {
+        return (own, None);
     }
+    let said = |other| (decide(&Asked::of(other, quantity)), Some(other));
+    let finer = precise.filter(|finer| differ_by_rounding(ladder, finer, quantity)).map(said);
+    // Where f64 is open, numbers of the start that differ in the last place of f64 may grow to another motion.
+    let finer = finer.filter(|(found, _)| matches!(found, Decision::Exact | Decision::Order(_)));
+    // An error that is still zero at the beginning is no evidence about the rest.
+    let is_evidence = |found: &Decision| matches!(found, Decision::Order(_) | Decision::Elsewhere { .. });
+    let early = || beginning.map(said).filter(|(found, _)| is_evidence(found));
+    finer.or_else(early).unwrap_or((own, None))
 }
 
 /// Whether runs of the same step differ by no more than the floor of the one in f64: a defect of that code alone shows here.

@@ -40,6 +40,9 @@ pub struct Evidence {
     /// Runs in double-double to the first sample time, where a quantity is promised to be exact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub exactness: Option<Ladder>,
+    /// Runs over the beginning of the motion, where neither decides an order.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub beginning: Option<Ladder>,
     /// Long runs of a free body.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drift: Option<EnergyDrift>,
@@ -66,7 +69,15 @@ pub struct Evidence {
     pub step_limit: Option<LinearLimit>,
 }
 
+/// The runs that may decide an order: those in f64, those in double-double, and those over the beginning of the motion.
+pub type Ladders<'a> = (&'a Ladder, Option<&'a Ladder>, Option<&'a Ladder>);
+
 impl Evidence {
+    /// The runs that may decide an order.
+    pub fn ladders(&self) -> Ladders<'_> {
+        (&self.ladder, self.precise.as_ref(), self.beginning.as_ref())
+    }
+
     /// Whether the budget leaves out every run.
     pub fn is_unaffordable(&self) -> bool {
         self.left_out.is_some_and(|left_out| left_out.steps.is_some()) && self.ladder.rungs.is_empty()

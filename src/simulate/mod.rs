@@ -311,8 +311,7 @@ where
     S: for<'a> Stepping<Counted<'a, M>>,
 {
     let (start, pieces) = (model.start(), model.pieces());
-    // A step belongs to the piece that its middle lies in.
-    let first_after = |end: M::Real| (end.to_f64() / plan.step - 0.5).ceil().max(0.0) as u64;
+    let first_after = |end: M::Real| first_step_after(end.to_f64() / plan.step);
     let work = || Workspace::new(&start, <S as Stepping<Counted<M>>>::STATES);
     let mut stepper = Stepper::<S, M> {
         model: Counted::new(model),
@@ -326,6 +325,15 @@ where
         pieces: pieces.iter().map(|(end, piece)| (first_after(*end), piece)).collect(),
     };
     drive(&mut stepper, plan, store)
+}
+
+/// The first step of the piece that begins after so many steps: a step belongs to the piece that its middle lies in, and one whose middle ends a
+/// piece to the next, in every unit of time.
+fn first_step_after(steps: f64) -> u64 {
+    let (middle, rounding) = (steps - 0.5, 4.0 * f64::EPSILON * steps);
+    let nearest = middle.round();
+    let first = if (middle - nearest).abs() <= rounding { nearest } else { middle.ceil() };
+    first.max(0.0) as u64
 }
 
 /// Takes a run to its end, or to where it breaks.
@@ -361,4 +369,17 @@ fn drive<T: Real>(run: &mut dyn Drive<T>, plan: &Plan, store: &mut dyn FnMut(&Sn
     outcome.nanoseconds = begun.elapsed().as_nanos() as u64;
     run.tell(&mut outcome);
     outcome
+}
+
+#[cfg(test)]
+mod tests {
+    use super::first_step_after;
+
+    #[test]
+    fn a_piece_that_ends_in_the_middle_of_a_step_ends_before_it_however_that_is_rounded() {
+        for steps in [5.5f64, 1000.5, 5.5 / 1e-10 * 1e-10] {
+            assert_eq!([steps, steps.next_up(), steps.next_down()].map(first_step_after), [steps as u64; 3]);
+        }
+        assert_eq!([0.0, 0.5, 0.6, 1.0, 1.4, 1.6].map(first_step_after), [0, 0, 1, 1, 1, 2]);
+    }
 }

@@ -56,6 +56,22 @@ fn a_class_passes_where_it_is_claimed_and_is_undecided_where_there_is_none() {
 }
 
 #[test]
+fn a_rate_that_no_step_is_small_enough_for_is_not_judged() {
+    let at = |level: f64, rates: &[f64]| {
+        let mut drift = drift(Undecided, rates);
+        drift.rungs.last_mut().expect("a run").level = level;
+        verdict(GROWS, drift, "rotational-energy-rate").verdict
+    };
+    // The energy of the finest run changes by as much as itself, and the rates fall for no order.
+    let open = [1.0, 0.3, 0.9, 0.2, 0.8, 0.3];
+    assert_eq!([at(1.0, &open), at(1.0f64.next_down(), &open)], [NotApplicable, Inconclusive]);
+    // A promise of a bound is judged by its class.
+    let mut large = drift(Secular, &power(3.0));
+    large.rungs.iter_mut().for_each(|rung| rung.level = 1.0);
+    assert_eq!(verdict(BOUNDED, large, "rotational-energy-drift").verdict, Fail);
+}
+
+#[test]
 fn without_long_runs_nothing_is_said_of_the_energy() {
     for claims in [GROWS, SECULAR, BOUNDED, CONSTANT, FALLS] {
         assert_eq!(Made::new("free-asymmetric", claims).ruling(Energy, "rotational-energy"), NotApplicable);

@@ -38,6 +38,32 @@ fn an_order_is_at_least_the_claimed_one_and_the_slope_stands_beside_the_verdict(
 }
 
 #[test]
+fn an_order_that_the_whole_motion_leaves_open_is_that_of_its_beginning() {
+    // Errors of the size of the motion that fall for no order.
+    let open = [1.0, 0.3, 0.9, 0.2, 0.8, 0.3, 0.7, 0.25];
+    let with = |beginning: Made, whole: &[f64]| {
+        let mut made = position(whole, ROUNDING);
+        made.evidence.beginning = Some(beginning.evidence.ladder);
+        made.verdict(Order, "position")
+    };
+    let of_order = |order| position(&power(order), ROUNDING);
+    assert_eq!(position(&open, ROUNDING).ruling(Order, "position"), Inconclusive);
+    for (order, expected) in [(1.0, Fail), (2.0, Pass), (3.0, Pass)] {
+        let verdict = with(of_order(order), &open);
+        assert_eq!(verdict.verdict, expected, "{order}");
+        assert!((verdict.measured.expect("a slope") - order).abs() < 1e-12, "{verdict:?}");
+    }
+    // What the whole motion decides stands, and neither no error at the beginning nor one that falls for no order is evidence.
+    assert_eq!(with(of_order(1.0), &power(2.0)).verdict, Pass);
+    assert_eq!(with(position(&[0.0; RUNS], ROUNDING), &open).verdict, Inconclusive);
+    assert_eq!(with(position(&open, ROUNDING), &open).verdict, Inconclusive);
+    let mut elsewhere = position(&open, ROUNDING);
+    let beginning = Made::new("kovalevskaya", SECOND).with(POSITION, |h, _| 0.25 + 0.01 * h * h);
+    elsewhere.evidence.beginning = Some(beginning.evidence.ladder);
+    assert_eq!(elsewhere.ruling(Converges, "position"), Fail);
+}
+
+#[test]
 fn in_a_generic_scene_one_quantity_has_exactly_the_claimed_order() {
     let all = |made: &Made| made.judge().into_iter().find(|v| v.claim == Order && v.quantity == "all");
     for (order, generic, expected) in [(2.0, true, false), (3.0, true, true), (3.0, false, false)] {

@@ -7,6 +7,7 @@ use polhode::gates::{self, Baseline};
 use polhode::internals::gates::judge_reference;
 use polhode::record::Ruling::{self, Broken, Fail, Inconclusive, NotApplicable, Pass};
 use polhode::record::{ClaimName, Evidence, Records, ReferenceEvidence, Rung, SceneRow, Verdict};
+use polhode::scenes::Scene;
 use polhode::schemes::{Claim, Quantity};
 
 use super::case::{Made, numbers};
@@ -46,6 +47,22 @@ fn a_scheme_that_cannot_take_a_scene_has_every_claim_not_applicable_with_the_rea
         assert_eq!((found.quantity.as_str(), found.detail.as_str()), ("all", "it has wheels"));
         assert_eq!((found.verdict, numbers(&found)), (NotApplicable, [None; 3]));
     }
+}
+
+#[test]
+fn a_needle_that_no_step_of_a_ladder_is_small_enough_for_is_judged_at_its_beginning() {
+    // Moments 48,000 : 1, turning mostly across the axis.
+    let text = "name = 'needle'\nduration = 10.0\n[body]\nmass = 1.0\ninertia = [2.08e-5, 1.0, 1.0000208]\n\
+                [initial]\nangular_velocity = [0.1, 1.0, 2.0]\n";
+    let scene = Scene::parse(text, "needle.toml").expect("a scene");
+    let schemes = ["euler", "rk4-quaternion"].map(common::contestant).to_vec();
+    let records = Campaign::of(vec![scene], schemes).run();
+    let red: Vec<_> =
+        records.verdicts.iter().filter(|v| ![Pass, NotApplicable].contains(&v.verdict)).collect();
+    assert!(red.is_empty(), "{red:#?}");
+    let of =
+        |scheme: &str| records.evidence.iter().find(|evidence| evidence.scheme == scheme).expect("a cell");
+    assert!(of("euler").beginning.is_some() && of("rk4-quaternion").beginning.is_none());
 }
 
 #[test]
