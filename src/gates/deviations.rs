@@ -14,12 +14,6 @@ struct Deviation {
 
 const KNOWN: &[Deviation] = &[
     Deviation {
-        reason: "the order of 2 comes from the made-up history of the first steps alone; the formula's own error of order 4 covers \
-                 it down to rounding",
-        claim: ClaimName::Order,
-        places: &[("sleeping-top", &["adams-bashforth-4-cold"])],
-    },
-    Deviation {
         reason: "the energy grows so fast that its rate changes within a run at every step that the long runs can afford",
         claim: ClaimName::Energy,
         places: &[
@@ -30,11 +24,6 @@ const KNOWN: &[Deviation] = &[
             ("osrf-boxes-complex", &["euler"]),
             ("thin-body", &["euler"]),
         ],
-    },
-    Deviation {
-        reason: "the rate falls to what the averages leave of the oscillation before it is asymptotic",
-        claim: ClaimName::Energy,
-        places: &[("thin-body", &["peskin-heun"])],
     },
     Deviation {
         reason: "the way back ends at rest, where an iteration that ends by a relative change of L no longer ends: the last step is \
