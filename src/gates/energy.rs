@@ -36,6 +36,11 @@ fn judge_bound(evidence: &Evidence, drift: &EnergyDrift) -> Verdict {
     at_most(evidence, ClaimName::Energy, "rotational-energy-bound", most, 1.0 + rounding, detail)
 }
 
+/// Said of a drift in double-double.
+fn arithmetic(drift: &EnergyDrift) -> &'static str {
+    if drift.double_double { " in double-double" } else { "" }
+}
+
 /// One of the classes that the claim allows.
 fn judge_class(evidence: &Evidence, drift: &EnergyDrift, allowed: &[DriftClass]) -> Verdict {
     let shown = &drift.rungs[drift.shown];
@@ -52,12 +57,13 @@ fn judge_class(evidence: &Evidence, drift: &EnergyDrift, allowed: &[DriftClass])
             "rotational-energy-drift",
             verdict,
             format!(
-                "{}: largest change {:.2e} of E, rate {:.2e} ± {:.1e} 1/s, at h = {:.3e} s",
+                "{}: largest change {:.2e} of E, rate {:.2e} ± {:.1e} 1/s, at h = {:.3e} s{}",
                 drift.class.word(),
                 shown.level,
                 shown.rate,
                 shown.uncertainty,
-                shown.step
+                shown.step,
+                arithmetic(drift)
             ),
         )
     }
@@ -78,8 +84,7 @@ fn judge_fall(evidence: &Evidence, drift: &EnergyDrift) -> Verdict {
 /// At least the claimed order in h, and its sign: the least over all bodies, as for an error.
 fn judge_rate(evidence: &Evidence, drift: &EnergyDrift, claimed: u32, grows: bool) -> Verdict {
     let shown = &drift.rungs[drift.shown];
-    let arithmetic = if drift.double_double { " in double-double" } else { "" };
-    let rate = format!("rate {:.3e} 1/s at h = {:.3e} s{arithmetic}", shown.rate, shown.step);
+    let rate = format!("rate {:.3e} 1/s at h = {:.3e} s{}", shown.rate, shown.step, arithmetic(drift));
     let rule = |ruling, detail: String| ruled(evidence, ClaimName::Energy, RATE, ruling, detail);
     match (drift.class, rate_order(drift)) {
         (DriftClass::Exact, _) => {

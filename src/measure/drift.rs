@@ -7,10 +7,10 @@
 use super::order::{Asked, BELOW, Decision, Run, decide};
 use crate::arithmetic::{DoubleDouble, Real};
 use crate::claim::{Claim, EnergyOfFreeBody};
-use crate::model::System;
 use crate::model::body::Shape;
 use crate::model::copies::CLEAR;
 use crate::model::forces::Forces;
+use crate::model::{Snapshot, System};
 use crate::record::{DriftClass, EnergyDrift, EnergyRung};
 use crate::rotation;
 use crate::simulate::{Arithmetic, Contestant, Form, Plan};
@@ -100,9 +100,12 @@ pub fn energy_drift_within(
     let Some((rotor, runs)) = LongRuns::of(contestant, system, duration) else { return Ok(None) };
     let Some(rungs) = runs.ladder(&rotor, runs.most, afforded)? else { return Ok(None) };
     let mut drift = EnergyDrift { rungs, ..EnergyDrift::default() };
-    if runs.secular()
+    let hidden = match runs.claimed {
+        Some(EnergyOfFreeBody::Constant) => may_add_up(&drift, runs.long),
+        _ => runs.secular() && is_hidden(&drift),
+    };
+    if hidden
         && contestant.runs_in_double_double()
-        && is_hidden(&drift, runs.long)
         && let Ok(precise) = System::<DoubleDouble>::of(&rotor)
         && let Some(rungs) = runs.ladder(&precise, MOST_PRECISE_STEPS, afforded / PRECISE_COST)?
     {
@@ -137,15 +140,26 @@ fn class_of(drift: &EnergyDrift, long: f64) -> Option<DriftClass> {
 }
 
 /// Whether no order of the rate is decided, and the finest run changes the energy by no more than roundings that add up.
-fn is_hidden(drift: &EnergyDrift, long: f64) -> bool {
+fn is_hidden(drift: &EnergyDrift) -> bool {
     let at_rounding =
-        |rung: &EnergyRung| rung.rate.abs() * long <= rounding::<f64>(rung.steps as f64) / BELOW;
+        |rung: &EnergyRung| rung.rate.abs() * rung.step * (rung.steps as f64) <= all_added(rung);
     !matches!(rate_order(drift), Decision::Order(_)) && drift.rungs.last().is_some_and(at_rounding)
 }
 
-/// What so many roundings make of the energy, relative.
-fn rounding<T: Real>(count: f64) -> f64 {
-    4.0 * T::UNIT * count
+/// Whether the energy changes by more than roundings and by no more than roundings that add up.
+fn may_add_up(drift: &EnergyDrift, long: f64) -> bool {
+    let exact = class_of(drift, long) == Some(DriftClass::Exact);
+    !exact && drift.rungs.iter().all(|rung| rung.level <= all_added(rung))
+}
+
+/// What the roundings of a run make of the energy where they add up, ten times: they are as many as the root of the steps otherwise.
+fn all_added(rung: &EnergyRung) -> f64 {
+    rung.rounding * (rung.steps as f64).sqrt() / BELOW
+}
+
+/// What so many roundings make of the energy, relative: one of L changes E by Ω·δL, and `condition` is the largest |Ω| |L|/E of the run.
+fn rounding<T: Real>(count: f64, condition: f64) -> f64 {
+    2.0 * T::UNIT * count * condition
 }
 
 /// Long runs of a free body at falling steps.
@@ -156,6 +170,8 @@ struct LongRuns<'a> {
     /// Radians turned in a second.
     spin: f64,
     steady: bool,
+    /// What the scheme promises.
+    claimed: Option<EnergyOfFreeBody>,
     /// Most steps of all runs together.
     most: u64,
 }
@@ -184,7 +200,7 @@ impl LongRuns<'_> {
             None => MOST_STEPS_UNASKED,
         };
         let steady = rotor.steady_spin();
-        Some((rotor, LongRuns { contestant, long, spin, steady, most }))
+        Some((rotor, LongRuns { contestant, long, spin, steady, claimed, most }))
     }
 
     /// Whether a rate is promised.
@@ -257,7 +273,12 @@ fn run_rung<T: Arithmetic>(
     let smallest = rotor.body.moments.iter().copied().filter(|m| *m > T::zero()).reduce(smaller)?;
     let momentum = rotation::length(&rotor.start.angular_momentum);
     let most = momentum * momentum / (smallest * 2.0);
-    let roundings = if steady { steps as f64 } else { (steps as f64).sqrt() };
+    let lengths =
+        |s: &Snapshot<T>| rotation::length(&s.angular_velocity) * rotation::length(&s.angular_momentum);
+    let conditions = states.iter().zip(&energy).map(|(s, e)| (lengths(s) / *e).to_f64());
+    let condition = conditions.fold(0.0, super::larger);
+    // In double-double they are so small that they may all add up.
+    let roundings = if steady || T::UNIT < f64::UNIT { steps as f64 } else { (steps as f64).sqrt() };
     Some(EnergyRung {
         step: plan.step,
         steps,
@@ -266,7 +287,7 @@ fn run_rung<T: Arithmetic>(
         level: change.iter().map(|c| c.abs()).fold(0.0, super::larger),
         gain: change.iter().copied().fold(0.0, super::larger),
         of_largest: energy.iter().map(|e| (*e / most).to_f64()).fold(0.0, super::larger),
-        rounding: rounding::<T>(roundings),
+        rounding: rounding::<T>(roundings, condition),
         evaluations: outcome.evaluations,
     })
 }

@@ -62,7 +62,12 @@ fn measured<T: Arithmetic>(
         let starts = starts_in(system, (given, &there));
         // A copy that breaks is left out.
         let copies = starts.iter().filter_map(|start| there_and_back(contestant, start, step, steps).ok());
-        spread = copies.fold(spread, |largest, copy| largest.max(apart(&copy.back, &own.back)));
+        // A copy of a symmetric scheme returns to where it started: the far end shows what the way makes of a rounding.
+        let apart = |copy: Return<T>| {
+            let ends = copy.there.last().zip(own.there.last()).map(|(copy, own)| apart(copy, own));
+            ends.into_iter().fold(apart(&copy.back, &own.back), PerQuantity::max)
+        };
+        spread = copies.map(apart).fold(spread, PerQuantity::max);
         (of_rounding, largest) = of(&spread);
     }
     Reversal {
