@@ -68,7 +68,9 @@ pub enum Broken {
     #[error("the scheme runs on the mass points alone")]
     NeedsPoints,
     /// An implicit equation was not solved.
-    #[error("no convergence after {iterations} iterations: residual {residual:e} > {tolerance:e}")]
+    #[error(
+        "no convergence after {iterations} iterations: residual {residual:.1e} where {tolerance:.0e} is asked"
+    )]
     NoConvergence {
         /// Iterations made.
         iterations: u32,

@@ -51,6 +51,11 @@ pub(super) fn until_settled<M: Model>(
             return Ok(());
         }
     }
+    // What still falls after the last one has converged slowly.
+    if residual <= tolerance {
+        model.solved(most);
+        return Ok(());
+    }
     Err(Broken::NoConvergence { iterations: most, residual, tolerance })
 }
 
@@ -77,6 +82,13 @@ mod tests {
         // Two that are larger are no end where the next is smaller again.
         assert_eq!(improved(&[1e-13, 3e-13, 2e-13, 9e-14, 2e-13]), (7, Ok(())));
         assert_eq!(improved(&[1e-14, 1.0, 1.0, 1.0, 1e-13]), (5, Ok(())));
+    }
+
+    #[test]
+    fn a_change_that_falls_below_the_tolerance_at_the_last_is_convergence() {
+        // From 1 to 1e-14 in a hundred equal ratios.
+        let slow: Vec<f64> = (0..100).map(|n| 10f64.powf(-14.0 * f64::from(n) / 99.0)).collect();
+        assert_eq!(improved(&slow), (100, Ok(())));
     }
 
     #[test]
