@@ -142,7 +142,8 @@ fn beginning(
     for duration in quarters.take_while(|duration| *duration >= shortest) {
         let reference = Reference::of(system, duration, BEGINNING_TIMES, None).ok()?;
         let truth = Truth::new(system, &reference, 1);
-        let steps = steps(contestant, phase(system, &reference), order, Bounds::default());
+        let bounds = Bounds { finest: Some(FINE), ..Bounds::default() };
+        let steps = steps(contestant, phase(system, &reference), order, bounds);
         let ladder = halved(contestant, &truth, &steps, (Some(order), false)).0.ladder;
         if decided(&ladder) > most {
             (most, found) = (decided(&ladder), Some(ladder));
